@@ -18996,7 +18996,7 @@ static int64_t shorter_cruise(int64_t count, array_double_2d phases, array_doubl
     }
     before = 0.0;
     e_before = 0.0;
-    for (i = INT64_C(0); i < INT64_C(13); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2) * INT64_C(6) + INT64_C(1); i += INT64_C(1))
     {
         cruise = fastest * (1.0 - i / 6.0);
         if (i > INT64_C(6))
@@ -19402,10 +19402,10 @@ static double rising_member(double f_start, double end, array_double_1d family, 
     double highest;
     double result;
     target = (*cspan_at(&family, INT64_C(16)));
-    step = 0.125 * end;
+    step = end / INT64_C(8);
     before = f_start;
     f_lower = f_start;
-    for (i = INT64_C(1); i < INT64_C(9); i += INT64_C(1))
+    for (i = INT64_C(1); i < INT64_C(8) + INT64_C(1); i += INT64_C(1))
     {
         canonical_value(&value, &duration, i * step, family, axis);
         if ((value >= target) && (value > f_lower))
@@ -20621,7 +20621,6 @@ static int64_t scanned_excess(double* result_0, double* result_1, int64_t arc, d
 }
 static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_t sample, double missing, double largest, array_double_1d family, array_double_1d axis)
 {
-    int64_t samples;
     double place;
     double duration;
     double e_place;
@@ -20638,16 +20637,15 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     int64_t j;
     double middle;
     double error;
-    samples = INT64_C(48);
-    place = 4.0 * sample / samples;
+    place = 4.0 * sample / INT64_C(48);
     scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
     known = duration >= 0.0;
-    for (i = sample + INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    for (i = sample + INT64_C(1); i < INT64_C(48) + INT64_C(1); i += INT64_C(1))
     {
         before = place;
         e_before = e_place;
         was_known = known;
-        place = 4.0 * i / samples;
+        place = 4.0 * i / INT64_C(48);
         scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
         known = duration >= 0.0;
         if ((!known) && (!was_known))
@@ -27112,7 +27110,7 @@ static double near_zero(double i)
     {
         return 0.0;
     }
-    share = pow(0.7, (12.0 - fabs(i)));
+    share = pow(0.7, (INT64_C(12) - fabs(i)));
     if (i < 0.0)
     {
         share = -share;
@@ -27175,7 +27173,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
         level = kept;
         if (i >= -count)
         {
-            level = near_zero(12.0 * i / count) * (*cspan_at(&lead, INT64_C(12), stage));
+            level = near_zero(INT64_C(12) * i / (double)(count)) * (*cspan_at(&lead, INT64_C(12), stage));
         }
         time = follow_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
@@ -29671,13 +29669,15 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
 int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
     array_double_1d report;
+    double sample_time;
     int64_t smoothness;
     int64_t shape;
     int64_t axis;
     int64_t status;
     report = span_row(&work, INT64_C(99));
     (*cspan_at(&report, INT64_C(2))) = (*cspan_at(&options, INT64_C(3)));
-    if (((*cspan_at(&report, INT64_C(2))) > 0.0) && (!((1e-09 <= (*cspan_at(&report, INT64_C(2)))) && ((*cspan_at(&report, INT64_C(2))) <= 1000000.0))))
+    sample_time = (*cspan_at(&report, INT64_C(2)));
+    if ((sample_time > 0.0) && (!((1e-09 <= sample_time) && (sample_time <= 1000000.0))))
     {
         return -INT64_C(16);
     }
@@ -31125,7 +31125,7 @@ static void write_boxes(double room, int64_t first, array_double_3d given, array
         {
             beyond = room * (high - low);
         }
-        inwards = 2e-09 * extent(axis, given);
+        inwards = 2.0 * 1e-09 * extent(axis, given);
         low = span_max(low - beyond, (*cspan_at(&axes, axis, INT64_C(56))) + inwards);
         high = span_min(high + beyond, (*cspan_at(&axes, axis, INT64_C(56) + INT64_C(1))) - inwards);
         (*cspan_at(&links, i, INT64_C(0), INT64_C(0))) = span_min(low, span_min(here, there));
@@ -32029,8 +32029,8 @@ static void write_times(array_double_1d path, array_double_2d tracks, array_doub
             reach = span_max(reach, fabs(distance) / limit);
         }
     }
-    first = log(0.001 * least);
-    growth = (log(1000.0 * (least + reach)) - first) / 119.0;
+    first = log(1.0 / 1000.0 * least);
+    growth = (log(1000.0 * (least + reach)) - first) / (INT64_C(120) - INT64_C(1));
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
         fits = 1e+300;

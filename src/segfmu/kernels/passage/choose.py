@@ -27,6 +27,12 @@ from segfmu.kernels.passage.search import (
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
+# by how much the duration at which a path begins exceeds the shortest one: between rests, and in
+# two attempts where given states move
+USUAL_START = 10.0
+NEAR_START = 3.0
+FAR_START = 100.0
+
 
 def usual_room() -> float:
     """Share of the range around two places by which an axis may leave it, if no other is asked."""
@@ -279,16 +285,16 @@ def searched_states(
     path[Path.LOOSEST] = NEVER
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
-    path[Path.START] = 10.0
+    path[Path.START] = USUAL_START
     attempts = 1
     if is_moving(given):
-        path[Path.START] = 3.0
+        path[Path.START] = NEAR_START
         attempts = 2
     for attempt in range(attempts):
         search_states(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
-        path[Path.START] = 100.0
+        path[Path.START] = FAR_START
 
 
 def end_choice(

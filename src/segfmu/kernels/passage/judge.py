@@ -19,6 +19,9 @@ from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.trajectory.expand import expand_cell
 from segfmu.kernels.trajectory.records import MotionWork, Timing
 
+# a profile keeps up with the path if it takes at most this much longer
+KEPT_UP = 1.005
+
 
 def set_axes(
     limits: 'float[:,:]', lower: 'float[:,:]', axes: 'float[:,:]', work: 'float[:,:]'
@@ -152,8 +155,7 @@ def offer_states(
     count = 0
     beyond = False
     for j in range(spans.shape[0]):
-        # a profile keeps up with the path if it takes at most this much longer
-        slow = not spans[j, Stretch.LENGTH] <= 1.005 * exp(spans[j, Stretch.TIME])
+        slow = not spans[j, Stretch.LENGTH] <= KEPT_UP * exp(spans[j, Stretch.TIME])
         if shorter and leaves_box(
             j, tried, path, links, axes, cells, timing, coefficients, work
         ):

@@ -36,6 +36,30 @@ SLOWED = 0.9
 SLOWER = 60
 # a gap is reached within this factor
 ENOUGH = 1.05
+# shares that are added to a diagonal where the barrier is not convex: the first one, and the growth
+RIDGE = 0.1
+HIGHER = 10.0
+RIDGES = 7
+# steps to the centre; they end where one promises less than this, of a unit for each limit
+CENTRINGS = 30
+CENTRED = 0.5
+# of a step: the change of a logarithmic duration, the least share, and what it has to take off of
+# what it promises; and the change below which a duration stays
+LARGEST_STEP = 0.6
+LEAST_STEP = 1e-6
+PROMISED = 0.1
+NO_CHANGE = 1e-9
+# the barrier's weight of time grows at most so much at once
+FASTEST = 4.0
+# durations that are tried to begin with, from a shorter to a longer one than any motion takes
+DURATIONS = 120
+FARTHER = 1e3
+# where given states exceed the limits, these are so much wider than needed at first, and come back
+# in steps that leave this share of what they could take; beyond this share of them nothing is left
+ROOMIER = 1.5
+LEFT = 0.1
+RETREATS = 60
+STUCK = 0.999
 
 
 def try_move(
@@ -87,7 +111,7 @@ def write_step_of(
     """
     axes = int(path[Path.AXES])
     ridge = 0.0
-    for attempt in range(7):
+    for attempt in range(RIDGES):
         for i in range(links.shape[0]):
             axis = i % axes
             time = spans[i // axes, Stretch.TRIAL]
@@ -96,8 +120,7 @@ def write_step_of(
             write_band(path, tracks, spots, links, spans, band)
             if band_solve(band):
                 return write_steps(path, tracks, spots, links, spans, band, theta)
-        # 0.1, 1, .. 1e4
-        ridge = max(10.0 * ridge, 0.1)
+        ridge = max(HIGHER * ridge, RIDGE)
     return -NEVER
 
 
@@ -107,7 +130,7 @@ def centre_path(
     band: 'float[:,:]',
 ) -> bool:
     """Go to the minimum of the barrier function, to about half a unit; False if none is found."""
-    for attempt in range(30):
+    for attempt in range(CENTRINGS):
         try_move(0.0, path, spots, links, spans)
         decrease = write_step_of(
             theta, path, tracks, spots, links, spans, grid, square, band
@@ -115,21 +138,21 @@ def centre_path(
         if not -NEVER < decrease < NEVER:
             return False
         value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
-        longest = 1e-9
+        longest = NO_CHANGE
         for j in range(spans.shape[0]):
             longest = max(longest, abs(spans[j, Stretch.STEP]))
-        share = min(1.0, 0.6 / longest)
+        share = min(1.0, LARGEST_STEP / longest)
         try_move(share, path, spots, links, spans)
         while not (
             barrier_value(theta, path, tracks, spots, links, spans, grid, square)
-            <= value - 0.1 * share * decrease
+            <= value - PROMISED * share * decrease
         ):
             share = 0.5 * share
-            if share < 1e-6:
+            if share < LEAST_STEP:
                 return False
             try_move(share, path, spots, links, spans)
         take_tried(spots, links, spans)
-        if decrease < 0.5:
+        if decrease < CENTRED:
             break
     return True
 
@@ -149,7 +172,7 @@ def begin_path(
     take_tried(spots, links, spans)
     if used < 1.0:
         return True
-    path[Path.ROOM] = 1.5 * used
+    path[Path.ROOM] = ROOMIER * used
     return retreat(path, tracks, spots, links, spans, grid, square, band)
 
 
@@ -182,7 +205,7 @@ def write_times(
     path: 'float[:]', tracks: 'float[:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
     grid: 'float[:,:]', square: 'float[:,:]',
 ) -> None:
-    """Write durations of the tried point: the least that keeps half of the limits, of 120."""
+    """Write durations of the tried point: the least of some that keeps half of the limits."""
     axes = int(path[Path.AXES])
     least = 0.0
     reach = 0.0
@@ -192,11 +215,11 @@ def write_times(
         for j in range(spans.shape[0]):
             distance = links[j * axes + axis, Link.TRIAL, GridColumn.DISTANCE]
             reach = max(reach, abs(distance) / limit)
-    first = log(1e-3 * least)
-    growth = (log(1e3 * (least + reach)) - first) / 119.0
+    first = log(1.0 / FARTHER * least)
+    growth = (log(FARTHER * (least + reach)) - first) / (DURATIONS - 1)
     for j in range(spans.shape[0]):
         fits = NEVER
-        for k in range(120):
+        for k in range(DURATIONS):
             used = 0.0
             for axis in range(axes):
                 link = links[j * axes + axis, :, :]
@@ -220,15 +243,15 @@ def retreat(
     Where time counts much, short durations push against the limits, and what can be taken back
     gets small. Where it counts little, the motion may turn into a detour.
     """
-    for attempt in range(60):
+    for attempt in range(RETREATS):
         theta = path[Path.TERMS] / (path[Path.START] * path_total(Stretch.TIME, spans))
         if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
             return False
         try_move(0.0, path, spots, links, spans)
         used = largest_node_share(False, path, tracks, links, spans, grid, square)
-        if used > 0.999:
+        if used > STUCK:
             return False
-        path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + 0.1 * (1.0 - used)))
+        path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + LEFT * (1.0 - used)))
         if path[Path.ROOM] == 1.0:
             return True
     return False
@@ -248,5 +271,5 @@ def follow_path(
         if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
             return -1.0
         reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))
-        theta = theta * min(4.0, max(1.0, reached / gap))
+        theta = theta * min(FASTEST, max(1.0, reached / gap))
     return theta

@@ -29,6 +29,28 @@ from segfmu.kernels.trajectory.records import MotionWork
 
 # of a path, see gap_of
 LAST_POINT = 2
+# by how much the durations of the points of a path exceed the shortest one, at most
+FIRST_GAP = 0.3
+SECOND_GAP = 0.1
+LAST_GAP = 0.03
+# a limit that is none
+UNLIMITED = 1e100
+# the snap that a limit of the jerk leaves, over that of a jerk that rises all the time
+STEEP = 10.0
+# shares of the limits of jerk and snap that a path uses, for each degree of tightness, and what
+# smoothsteps use of them, about
+JERK_SHARE = 0.93
+SNAP_SHARE = 0.75
+SMOOTHSTEP_JERK = 0.6
+SMOOTHSTEP_SNAP = 0.5
+# degrees of an interval that is slow: the first one, and the next ones from the last; between one
+# that is slow and one that is not, closer ones are not told apart. And paths, until none is tried
+TIGHTER = 0.5
+TIGHTENING = 1.4
+TIGHT_ENOUGH = 0.4
+SWEEPS = 10
+# states are multiples of their limit over this
+DIGITS = 65536.0
 
 
 def write_tracks(
@@ -49,15 +71,15 @@ def write_tracks(
         jerk = limit_of(2, axis, limits)
         snap = limit_of(3, axis, limits)
         crackle = limit_of(4, axis, limits)
-        if crackle < 1e100:
+        if crackle < UNLIMITED:
             snap = min(snap, (crackle * crackle * acceleration) ** (1.0 / 3.0))
         pop = limit_of(5, axis, limits)
-        if pop < 1e100:
+        if pop < UNLIMITED:
             snap = min(snap, sqrt(pop * acceleration))
-        if snap < 1e100:
+        if snap < UNLIMITED:
             path[Path.ORDER] = 4.0
-        if jerk < 1e100:
-            snap = min(snap, 10.0 * jerk * jerk / acceleration)
+        if jerk < UNLIMITED:
+            snap = min(snap, STEEP * jerk * jerk / acceleration)
         tracks[axis, Track.JERK_LIMIT] = jerk
         tracks[axis, Track.SNAP_LIMIT] = snap
     path[Path.COMPONENTS] = Cells.COUNT - path[Path.ORDER]
@@ -65,25 +87,24 @@ def write_tracks(
 
 
 def limit_of(place: int, axis: int, limits: 'float[:,:]') -> float:
-    """A limit, from the velocity on; 1e100 where there is none."""
+    """A limit, from the velocity on; UNLIMITED where there is none."""
     if place < limits.shape[1]:
         if limits[axis, place] > 0.0:
-            return min(limits[axis, place], 1e100)
-    return 1e100
+            return min(limits[axis, place], UNLIMITED)
+    return UNLIMITED
 
 
 def limit_share(order: int, degree: float, smoothstep: bool) -> float:
     """Share of a limit that a path may use in an interval, for a degree of tightness."""
     share = 1.0
     if order == 3:
-        share = 0.93**degree
-        # what smoothsteps use of the limits, about
+        share = JERK_SHARE**degree
         if smoothstep:
-            share = 0.6 * share
+            share = SMOOTHSTEP_JERK * share
     elif order == 4:
-        share = 0.75**degree
+        share = SNAP_SHARE**degree
         if smoothstep:
-            share = 0.5 * share
+            share = SMOOTHSTEP_SNAP * share
     return share
 
 
@@ -114,7 +135,7 @@ def write_scales_of(
             share = limit_share(order, spans[i // count, Stretch.DEGREE], smoothstep)
             links[i, Link.SCALE, order] = 0.0
             links[i, Link.WHERE, order] = 0.0
-            if limit < 1e100:
+            if limit < UNLIMITED:
                 links[i, Link.SCALE, order] = 1.0 / (limit * share)
             if order < 3:
                 links[i, Link.WHERE, order] = -tracks[axis, Track.MIDDLE + order - 1] / limit
@@ -137,7 +158,7 @@ def write_tried(
     given: 'float[:,:,:]', path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
     tried: 'float[:,:,:]',
 ) -> None:
-    """Write the states of the path, multiples of the limit over 2^16.
+    """Write the states of the path, multiples of the limit over DIGITS.
 
     Their last digits depend on the processor; without these, all plan the same.
     """
@@ -150,7 +171,7 @@ def write_tried(
         for field in range(Free.SIZE):
             if spots[i, Spot.CHOSEN, field] > 0.5:
                 share = spots[i, Spot.SHARE, field]
-                digits = floor(65536.0 * abs(share) + 0.5) / 65536.0
+                digits = floor(DIGITS * abs(share) + 0.5) / DIGITS
                 if share < 0.0:
                     digits = -digits
                 state = digits * tracks[axis, Track.LIMIT + field]
@@ -160,10 +181,10 @@ def write_tried(
 def gap_of(place: int) -> float:
     """By how much the duration of a point may exceed the shortest one, at most."""
     if place == 0:
-        return 0.3
+        return FIRST_GAP
     if place == 1:
-        return 0.1
-    return 0.03
+        return SECOND_GAP
+    return LAST_GAP
 
 
 def may_beat(known: float, place: int, total: float) -> bool:
@@ -244,7 +265,7 @@ def search_states(
     path[Path.TOTAL] = NEVER
     begin, end = block_rows(Block.GIVEN, path, choice)
     resting = not is_moving(choice[begin:end, :, :])
-    for sweep in range(10):
+    for sweep in range(SWEEPS):
         going_on = try_path(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
@@ -276,10 +297,10 @@ def tighten_path(spans: 'float[:,:]') -> bool:
             spans[j, Stretch.GOOD] = spans[j, Stretch.DEGREE]
         retried = spans[j, Stretch.SLOW] > 0.5
         if not any_slow:
-            retried = failed >= 0.0 and spans[j, Stretch.GOOD] - failed > 0.4
+            retried = failed >= 0.0 and spans[j, Stretch.GOOD] - failed > TIGHT_ENOUGH
         if retried:
             changed = True
-            spans[j, Stretch.DEGREE] = 0.5 + 1.4 * failed
+            spans[j, Stretch.DEGREE] = TIGHTER + TIGHTENING * failed
             if spans[j, Stretch.GOOD] < NEVER:
                 spans[j, Stretch.DEGREE] = 0.5 * (failed + spans[j, Stretch.GOOD])
     return changed

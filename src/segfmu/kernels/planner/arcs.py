@@ -14,6 +14,13 @@ from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 # rounding where the excess is below this share of what the velocities cover
 SCANNED = 1e-3
 NEAR = 0.02
+# an excess below this share of the duration, or of what is covered, is rounding: states on another
+# plan bring that of theirs, and an arc can end at the distance
+LEAST_ERROR = 1e-15
+CARRIED = 2e-13
+# places of an arc that are looked at, and halvings to where its members begin
+SAMPLES = 48
+EDGES = 12
 
 
 def loop_excess(
@@ -48,13 +55,12 @@ def loop_excess(
     duration, y = member_distance(family, axis)
     if family[Family.BY_TIME] > 0.5:
         error = duration - family[Family.TARGET]
-        if abs(error) <= 1e-15 * duration:
+        if abs(error) <= LEAST_ERROR * duration:
             error = 0.0
         return duration, error
     error = y - family[Family.TARGET]
-    # states on another plan have its rounding errors, and an arc can end at the distance
     speed = abs(family[Family.V]) + abs(family[Family.W]) + top_acceleration(axis) * duration
-    if abs(error) <= 2e-13 * (abs(y) + min(fastest_velocity(axis), speed) * duration):
+    if abs(error) <= CARRIED * (abs(y) + min(fastest_velocity(axis), speed) * duration):
         error = 0.0
     return duration, error
 
@@ -121,20 +127,19 @@ def scanned_excess(
 def arc_root(
     arc: int, sample: int, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[int, float]':
-    """Set the next member of an arc that is searched for, after a sample 0 .. 47 of its places.
+    """Set the next member of an arc that is searched for, after a sample of its places.
 
     Returns the sample after it, or -1 if there is none, and its duration [s]. Between the last
     place with a member and one without, members are searched by halving.
     """
-    samples = 48
-    place = 4.0 * sample / samples
+    place = 4.0 * sample / SAMPLES
     duration, e_place = scanned_excess(arc, place, missing, largest, family, axis)
     known = duration >= 0.0
-    for i in range(sample + 1, samples + 1):
+    for i in range(sample + 1, SAMPLES + 1):
         before = place
         e_before = e_place
         was_known = known
-        place = 4.0 * i / samples
+        place = 4.0 * i / SAMPLES
         duration, e_place = scanned_excess(arc, place, missing, largest, family, axis)
         known = duration >= 0.0
         if not known and not was_known:
@@ -154,7 +159,7 @@ def arc_root(
                 e_other = e_before
             inside = other
             e_inside = e_other
-            for j in range(12):
+            for j in range(EDGES):
                 middle = 0.5 * (inside + outside)
                 duration, error = scanned_excess(arc, middle, missing, largest, family, axis)
                 if duration < 0.0:
@@ -195,7 +200,7 @@ def loop_form(
         if arc == LoopArc.FOLD and longest < given:
             break
         sample = 0
-        while sample >= 0 and sample < 48:
+        while sample >= 0 and sample < SAMPLES:
             sample, duration = arc_root(arc, sample, missing, given, family, axis)
             if sample >= 0 and duration < longest:
                 used = write_member(trial, family, axis)
@@ -219,7 +224,7 @@ def timed_loop(
     family[Family.TARGET] = target
     for arc in range(LoopArc.SINGLE + 1):
         sample = 0
-        while sample >= 0 and sample < 48:
+        while sample >= 0 and sample < SAMPLES:
             sample, duration = arc_root(arc, sample, missing, target, family, axis)
             if sample >= 0:
                 used = write_member(work[PlanWork.TRIAL:PlanWork.BEST, :], family, axis)

@@ -25,6 +25,9 @@ from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
 
 # steps of golden section to the least peak
 SECTIONS = 60
+# a ramp to a level beyond this times the acceleration crosses zero while all derivatives still
+# rise, and no faster
+DEEPEST = 1e3
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -43,8 +46,7 @@ def deep_level(
     bottom: the limit of the acceleration past zero. Golden section, as far as needed: the extreme
     velocity falls with the depth of the level, and may rise again.
     """
-    # a ramp that is longer yet crosses zero while all derivatives still rise, and no faster
-    lower = -min(bottom, 1e3 * a)
+    lower = -min(bottom, DEEPEST * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower

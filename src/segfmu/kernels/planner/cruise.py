@@ -22,6 +22,8 @@ from segfmu.kernels.planner.records import Axis, Problem
 
 # a root within this share
 ROOT = 1e-15
+# cruise velocities that are looked at in each direction
+SAMPLES = 6
 
 
 def append_velocity_change(
@@ -164,10 +166,10 @@ def shorter_cruise(
         backwards = speed_bound(-1.0, longest, problem, axis)
     before = 0.0
     e_before = 0.0
-    for i in range(13):
-        cruise = fastest * (1.0 - i / 6.0)
-        if i > 6:
-            cruise = backwards * (1.0 - i / 6.0)
+    for i in range(2 * SAMPLES + 1):
+        cruise = fastest * (1.0 - i / float(SAMPLES))
+        if i > SAMPLES:
+            cruise = backwards * (1.0 - i / float(SAMPLES))
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
         error = 0.0
         if used >= 0:

@@ -17,6 +17,9 @@ from segfmu.kernels.planner.timed_cruise import (
     timed_cruise,
 )
 
+# one profile is enough if it misses the distance by this share of what it may cover: by rounding
+COVERED = 1e-14
+
 
 def timed_merged(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
@@ -91,8 +94,7 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     target = problem[Problem.DURATION]
     speed = speed_bound(1.0, target, problem, axis)
     speed = max(speed, speed_bound(-1.0, target, problem, axis))
-    # one profile is enough if it covers the distance up to rounding
-    tiny = 1e-14 * (abs(distance) + speed * target)
+    tiny = COVERED * (abs(distance) + speed * target)
     if above - distance <= tiny:
         return 1.0
     if distance - below > tiny:

@@ -35,6 +35,8 @@ INSIDE = 0.75
 ROUNDED = 1e-9
 # meetings of axes until there is no common duration
 SWEEPS = 100000
+# a larger number of samples has no fraction, and may be no integer
+COUNTED = 1e15
 
 
 def set_shortest(
@@ -156,8 +158,7 @@ def round_up(duration: float, sample_time: float) -> float:
     if sample_time <= 0.0:
         return duration
     samples = duration / sample_time - ROUNDED
-    # a larger number has no fraction, and may be no integer
-    if not samples < 1e15:
+    if not samples < COUNTED:
         return duration
     return ceil(samples) * sample_time
 

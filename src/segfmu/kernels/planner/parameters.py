@@ -25,6 +25,17 @@ from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.planner.sides import top_acceleration
 from segfmu.kernels.planner.transition import transition_peaks
 
+# shares of a rise in the rise that it belongs to; see `usual_share` and those after it
+USUAL = 0.1
+SNAP_ALONE = 0.05
+STEEPER_ABOVE = 0.2
+MODERATE = 0.02
+STEEPEST = 0.004
+# what ramps of the snap save without smoothness is half of such a share, and a little
+SAVED = 0.6
+# a rise that no limit ends [s]: its powers do not overflow
+LONGEST = 1e60
+
 
 def axis_limits(
     smoothness: int, shape: int, limits: 'float[:]', axis: 'float[:]'
@@ -52,8 +63,8 @@ def usual_share(axis: 'float[:]') -> float:
     """
     raised = int(axis[Axis.RAISED])
     if axis[Axis.SMOOTHNESS] + raised == 4.0 and raised < 2 and axis[Axis.JERK + 1 - raised] > 0.0:
-        return 0.05
-    return 0.1
+        return SNAP_ALONE
+    return USUAL
 
 
 def steeper_above() -> float:
@@ -61,17 +72,17 @@ def steeper_above() -> float:
 
     That bounds the errors of forces that are held.
     """
-    return 0.2
+    return STEEPER_ABOVE
 
 
 def moderate_share() -> float:
     """Share where the limits leave no room for the usual rises, at first."""
-    return 0.02
+    return MODERATE
 
 
 def steepest_share() -> float:
     """Share where they leave no room for moderate rises."""
-    return 0.004
+    return STEEPEST
 
 
 def ramps_suffice(axis: 'float[:]') -> bool:
@@ -86,7 +97,7 @@ def snap_is_last(axis: 'float[:]') -> bool:
 
 def saving(axis: 'float[:]') -> float:
     """The share of their duration that ramps of the snap save without smoothness, and a little."""
-    return 0.6 * axis[Axis.SHARES + 1]
+    return SAVED * axis[Axis.SHARES + 1]
 
 
 def ramp_parameters(share: float, axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -159,7 +170,7 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
         level = last - 1 - i
         limit = axis[Axis.JERK + level]
         # without a limit the rise takes half of the one it belongs to
-        rise = 1e60
+        rise = LONGEST
         if limit > 0.0:
             rise, slope = plateau_duration(limit, level + 1, axis)
         axis[Axis.RISES + level] = rise

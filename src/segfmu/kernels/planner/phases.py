@@ -12,10 +12,13 @@ from segfmu.kernels.planner.sides import (
     top_acceleration,
 )
 
+# powers up to the sixth of what is smaller beside its scale would underflow
+TINY = 1e-30
+
 
 def flush_tiny(value: float, scale: float) -> float:
     """The value, or 0 if it is so small relative to its scale that its powers would underflow."""
-    if abs(value) <= 1e-30 * scale:
+    if abs(value) <= TINY * scale:
         return 0.0
     return value
 

@@ -22,6 +22,12 @@ from segfmu.kernels.planner.records import (
 )
 from segfmu.kernels.planner.sides import own_side, set_lower, side_limit
 
+# sweeps over the intervals until no time is left
+SWEEPS = 50
+# sample times [s] whose multiples are exact in plans of any length, with digits behind
+SHORTEST_SAMPLE = 1e-9
+LONGEST_SAMPLE = 1e6
+
 
 def check_waypoints(
     states: 'float[:,:,:]', dwells: 'float[:]', axes: 'float[:,:]', report: 'float[:]'
@@ -142,7 +148,7 @@ def prolong_all(
     step = axes.shape[0]
     for j in range(first, cells.shape[0], step):
         cells[j, Cell.PLACE, Place.PROLONGED] = 1.0
-    for sweep in range(50):
+    for sweep in range(SWEEPS):
         rest, base, count = time_left(first, step, target, cells)
         if rest <= SAME * target:
             return True
@@ -220,7 +226,8 @@ def plan_phases(
     report = work[PlanWork.REFUSAL, :]
     report[Refusal.VALUE] = options[PlanOptions.SAMPLE_TIME]
     # counts of samples must be whole numbers, and durations have digits behind a sample
-    if report[Refusal.VALUE] > 0.0 and not 1e-9 <= report[Refusal.VALUE] <= 1e6:
+    sample_time = report[Refusal.VALUE]
+    if sample_time > 0.0 and not SHORTEST_SAMPLE <= sample_time <= LONGEST_SAMPLE:
         return PlanStatus.SAMPLE_TIME
     smoothness = int(options[PlanOptions.SMOOTHNESS])
     shape = int(options[PlanOptions.SHAPE])

@@ -13,6 +13,9 @@ from math import sqrt
 from segfmu.kernels.numerics.numbers import HALVINGS
 from segfmu.kernels.planner.records import Axis
 
+# a step of a root by less than its last digit
+LAST_DIGIT = 2e-16
+
 
 def inner_rise(rise: float, level: int, axis: 'float[:]') -> float:
     """Duration of the rises within a rise of the derivative 2 + level, 3 + level for the ramp."""
@@ -33,7 +36,7 @@ def shifted_root(value: float, power: int, shift: float) -> float:
         error = x_power * x * (x - shift) - value
         step = error / (x_power * (power * (x - shift) + x))
         # convex, and begun above the root
-        if step <= 2e-16 * x:
+        if step <= LAST_DIGIT * x:
             break
         x = x - step
     return x

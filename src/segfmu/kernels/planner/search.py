@@ -21,6 +21,8 @@ DOUBLINGS = 60
 FARTHER = 200
 # parameters that are tried before those
 SHORTER = 12
+# samples up to a member that distances rise to
+RISING = 8
 
 
 def window_edge(
@@ -96,10 +98,10 @@ def rising_member(
     It may fall again, even between two samples. f_start is the value of the first member.
     """
     target = family[Family.TARGET]
-    step = 0.125 * end
+    step = end / RISING
     before = f_start
     f_lower = f_start
-    for i in range(1, 9):
+    for i in range(1, RISING + 1):
         value, duration = canonical_value(i * step, family, axis)
         if value >= target and value > f_lower:
             return bracketed_root((i - 1) * step, i * step, f_lower, value, family, axis)

@@ -18,6 +18,9 @@ from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_m
 from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem, Touch
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
+# nodes that a work space has rows for
+MOST_NODES = 16
+
 
 def power_of(base: float, exponent: int) -> float:
     """base to the exponent, a small whole number."""
@@ -306,4 +309,4 @@ def is_square(passing: 'float[:]', nodes: 'float[:,:]') -> bool:
     count = int(passing[Passing.COUNT])
     conditions = first_row(count, passing, nodes) + int(passing[Passing.ABOVE]) + 2
     conditions = conditions + int(passing[Passing.INSTANTS])
-    return conditions == count and count <= 16
+    return conditions == count and count <= MOST_NODES

@@ -2,6 +2,8 @@
 
 # halvings of an interval that has the zero of a derivative
 BISECTIONS = 60
+# samples of half an interval for each order of a derivative
+SAMPLES = 64
 
 
 def transition_coefficients(order: int, coefficients: 'float[:]') -> None:
@@ -40,7 +42,7 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
     count = 2 * order + 2
     transition_coefficients(order, coefficients)
     peaks[0] = 1.0
-    samples = 64 * (order + 1)
+    samples = SAMPLES * (order + 1)
     for j in range(1, order + 2):
         best = 0.0
         at = 0

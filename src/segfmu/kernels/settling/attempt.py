@@ -15,12 +15,22 @@ from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Brake, Check, Timing
 
+# of the range of a derivative: by how much it is beyond a limit by rounding, and may leave its
+# limits in an attempt, which is checked once more
+ROUNDED = 1e-13
+INSIDE = 1e-10
+# of a piece: a part in which a derivative crosses its limit once, and the shortest one
+MONOTONIC = 1e-3
+CLOSEST = 1e-9
+# halvings to where a derivative comes inside
+CROSSINGS = 60
+
 
 def outside_by(value: float, order: int, lead: 'float[:,:]') -> float:
     """How far a value of a derivative is beyond its limits; at most 0 inside, up to rounding."""
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    return max(value - high, low - value) - 1e-13 * (high - low)
+    return max(value - high, low - value) - ROUNDED * (high - low)
 
 
 def hold_highest(
@@ -132,7 +142,7 @@ def stays_inside(
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    slack = 1e-10 * (high - low)
+    slack = INSIDE * (high - low)
     for row in range(first, last):
         count = part_hull(order, row, 0.0, timing[row, Timing.LENGTH], lead, coefficients)
         if not is_hull_inside(count, low, high, lead):
@@ -153,7 +163,7 @@ def inside_from(
     width = coefficients.shape[1]
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    slack = 1e-13 * (high - low)
+    slack = ROUNDED * (high - low)
     for i in range(last - first):
         row = last - 1 - i
         length = timing[row, Timing.LENGTH]
@@ -173,10 +183,10 @@ def inside_from(
                 if (
                     is_hull_inside(count, 0.0, NEVER, lead)
                     or is_hull_inside(count, -NEVER, 0.0, lead)
-                    or step <= 1e-3 * length
+                    or step <= MONOTONIC * length
                 ):
                     return row, time_crossed(order, row, lower, upper, lead, coefficients)
-            if step > 1e-9 * length:
+            if step > CLOSEST * length:
                 step = 0.25 * step
             else:
                 upper = lower
@@ -187,7 +197,7 @@ def time_crossed(
     order: int, row: int, lower: float, upper: float, lead: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> float:
     """Local time of a piece [s] at which a derivative comes inside, between two times."""
-    for k in range(60):
+    for k in range(CROSSINGS):
         middle = 0.5 * (lower + upper)
         value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order)
         if outside_by(value, order, lead) > 0.0:

@@ -26,6 +26,15 @@ from segfmu.kernels.settling.inside import bring_highest, bring_inside
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 
+# derivatives that nothing limits are raised by this factor, so often, as long as the time of a
+# brake becomes less than this share
+STEEPER = 10.0
+STEEPEST = 8
+SHORTER = 0.997
+# shares of its time below which a brake is taken that turns round again, or leaves a limit alone
+TURNED = 0.999
+WORTH_LOOSER = 0.5
+
 
 def clip_reached(lead: 'float[:,:]') -> None:
     """Bring the state BRAKED of `lead` inside by rounding."""
@@ -80,12 +89,12 @@ def best_steepness(
     """The steepness (`natural_limit`) of the soonest brake, 0 if there is none, and its time [s].
 
     A time of 0: no brake is needed. Derivatives that nothing limits are raised as long as that
-    shortens it by more than 0.3 %.
+    shortens it (SHORTER).
     """
     highest = 1
     for i in range(limits.shape[0]):
         if limits[i] <= 0.0:
-            highest = 8
+            highest = STEEPEST
     best = NEVER
     steep = 1.0
     chosen = 0.0
@@ -94,12 +103,12 @@ def best_steepness(
         until = lead[LeadWork.BRAKE, Brake.UNTIL]
         if count >= 0 and until == 0.0:
             return steep, 0.0
-        if count > 0 and until < 0.997 * best:
+        if count > 0 and until < SHORTER * best:
             best = until
             chosen = steep
         elif best < NEVER and i > 2:
             break
-        steep = 10.0 * steep
+        steep = STEEPER * steep
     return chosen, best
 
 
@@ -135,7 +144,7 @@ def find_brake(
         order = smoothness - i
         if limits[order - 1] > 0.0 and abs(lead[LeadWork.NOW, order]) > limits[order - 1]:
             steep, until = best_steepness(order, whole, limits, lead, timing, coefficients)
-            if steep > 0.0 and until < 0.5 * best:
+            if steep > 0.0 and until < WORTH_LOOSER * best:
                 chosen = steep
                 best = until
                 loose = order
@@ -154,7 +163,7 @@ def find_brake(
             for i in range(1, 5):
                 report[Brake.GENTLE + order] = 0.25 * i
                 count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-                if count > 0 and report[Brake.UNTIL] < 0.999 * best:
+                if count > 0 and report[Brake.UNTIL] < TURNED * best:
                     best = report[Brake.UNTIL]
                     gentle = report[Brake.GENTLE + order]
             report[Brake.GENTLE + order] = gentle

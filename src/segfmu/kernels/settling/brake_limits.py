@@ -1,5 +1,6 @@
 """The limits within which a brake ends, and whether a state is beyond them."""
 
+from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Axis, Lower, Shape
 from segfmu.kernels.planner.sides import set_lower
@@ -54,6 +55,6 @@ def is_outside(limits: 'float[:]', lead: 'float[:,:]') -> bool:
         bound = limits[i - 1]
         if value < 0.0:
             bound = lower_limit(i, limits, lead)
-        if bound > 0.0 and abs(value) > bound * (1.0 + 1e-12):
+        if bound > 0.0 and abs(value) > bound * (1.0 + EQUAL):
             return True
     return False

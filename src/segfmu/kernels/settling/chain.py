@@ -11,6 +11,13 @@ from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
+# a limit's natural value grows by this at most to let the derivative below brake, in the room that
+# it has, or in none [its unit]
+MOST = 1e4
+NO_ROOM = 1e-300
+# ramps are no steeper than usual by more than this
+STEEPEST = 10.0
+
 
 def shortest_scale(order: int, limits: 'float[:]') -> float:
     """The shortest time [s] in which a derivative of lower order changes by its limit."""
@@ -58,7 +65,7 @@ def chain_limits(
             room = limits[order - 2] - abs(state[order - 2])
             needed = state[order - 1] * state[order - 1]
             if needed > room * bound:
-                bound = max(bound, min(needed / max(room, 1e-300), 1e4 * bound))
+                bound = max(bound, min(needed / max(room, NO_ROOM), MOST * bound))
             limits[order] = bound
 
 
@@ -90,7 +97,8 @@ def set_chains(
         elif order == 1:
             chain[Axis.LOWER] = axis[Axis.LOWER + 1]
         ramp_parameters(
-            usual_share(chain) / min(steep, 10.0), chain, chains[smoothness - 1:smoothness + 1, :]
+            usual_share(chain) / min(steep, STEEPEST), chain,
+            chains[smoothness - 1:smoothness + 1, :],
         )
 
 

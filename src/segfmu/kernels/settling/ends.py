@@ -4,10 +4,13 @@ from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
+# what velocity and acceleration at the end of a plan miss by rounding, as a share of the limits
+MISSED = 1e-11
+
 
 def end_rounding() -> float:
     """Rounding errors of velocity and acceleration at the end of a plan, relative to the limits."""
-    return 1e-11
+    return MISSED
 
 
 def write_end(

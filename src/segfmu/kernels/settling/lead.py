@@ -6,7 +6,7 @@ leads over a level are tried (level.py). A state outside its limits is brought i
 (brake.py).
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
@@ -20,6 +20,9 @@ from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
+
+# of a limit, what a derivative that is zero at the end of a ramp may differ from it by rounding
+SETTLED = 1e-10
 
 
 def settled_end(
@@ -37,7 +40,7 @@ def settled_end(
         else:
             state[i] = evaluate_piece(coefficients, row, width, length, i)
         if i > 2:
-            if abs(state[i]) > 1e-10 * lead[LeadWork.LIMITS, i]:
+            if abs(state[i]) > SETTLED * lead[LeadWork.LIMITS, i]:
                 settled = False
             state[i] = 0.0
     state[Chain.TIME] = timing[row, Timing.START] + length
@@ -116,7 +119,7 @@ def find_lead(
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
             search_stages(order, within, limits, lead, timing, coefficients)
-            lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+            lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
             follow_plan(
                 order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
                 coefficients,

@@ -4,22 +4,34 @@ Each level is followed to the one at which the profile behind it stays first. Th
 with the present value, goes over a grid, and refines by halved steps.
 """
 
-from segfmu.kernels.numerics.numbers import GAINED, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, GAINED, NEVER
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
-from segfmu.kernels.settling.search import FLAT
+from segfmu.kernels.settling.search import FLAT, STEEPER, STEEPEST, WORTH_STEEPER
 from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
 
 # halved steps without a gain, after which a level is no more improved
 USELESS = 4
+# levels of a grid on each side of zero, with limits above the snap and without, and each one over
+# the next larger one
+FINEST = 12
+COARSE = 3
+DENSER = 0.7
+# times of a grid over the best one from which smaller steps still lead to a better one
+HOPEFUL = 1.2
+# steps around the best level: the first one, of it and of its limit, and each over the one before
+OF_LEVEL = 0.15
+OF_BOUND = 0.005
+FINER = 0.25
+STEPS = 8
 
 
 def near_zero(i: float) -> float:
-    """Numbers from -1 to 1 for i from -12 to 12, denser near 0."""
+    """Numbers from -1 to 1 for i from -FINEST to FINEST, denser near 0."""
     if i == 0.0:
         return 0.0
-    share = 0.7 ** (12.0 - abs(i))
+    share = DENSER ** (FINEST - abs(i))
     if i < 0.0:
         share = -share
     return share
@@ -69,17 +81,16 @@ def search_grid(
     kept = lead[LeadWork.BEST, Lead.LEVEL]
     least = NEVER
     if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
-        # halved steps do not gain more
-        least = 1.2 * lead[LeadWork.BEST, Lead.TIME]
+        least = HOPEFUL * lead[LeadWork.BEST, Lead.TIME]
     found = NEVER
     # with limits above the snap the time jumps more often
-    count = 3
+    count = COARSE
     if int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) > 4:
-        count = 12
+        count = FINEST
     for i in range(-count - 1, count + 1):
         level = kept
         if i >= -count:
-            level = near_zero(12.0 * i / count) * lead[LeadWork.LIMITS, stage]
+            level = near_zero(FINEST * i / float(count)) * lead[LeadWork.LIMITS, stage]
         time = follow_level(order, level, least, limits, lead, timing, coefficients)
         if time < least:
             least = time
@@ -97,9 +108,9 @@ def improve_level(
 ) -> None:
     """Improve the level of a lead that takes `least` [s] by halved steps."""
     bound = lead[LeadWork.LIMITS, level_order(order, lead)]
-    step = 0.15 * abs(lead[LeadWork.BEST, Lead.LEVEL]) + 0.005 * bound
+    step = OF_LEVEL * abs(lead[LeadWork.BEST, Lead.LEVEL]) + OF_BOUND * bound
     useless = 0
-    for i in range(8):
+    for i in range(STEPS):
         around = lead[LeadWork.BEST, Lead.LEVEL]
         worst = 0.0
         for side in range(2):
@@ -110,7 +121,7 @@ def improve_level(
                 least = time
                 lead[LeadWork.BEST, Lead.LEVEL] = level
         if lead[LeadWork.BEST, Lead.LEVEL] == around:
-            step = 0.25 * step
+            step = FINER * step
             useless = useless + 1
         else:
             useless = 0
@@ -130,8 +141,8 @@ def search_levels(
     found = NEVER
     highest = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
-    for i in range(4):
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    for i in range(STEEPEST):
         set_limits(steep, lead)
         before = lead[LeadWork.BEST, Lead.TIME]
         # with limits above the snap other levels are best where derivatives may be larger
@@ -144,8 +155,8 @@ def search_levels(
             found = follow_level(order, level, NEVER, limits, lead, timing, coefficients)
         if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
             break
-        lead[LeadWork.BEST, Lead.GAIN] = 0.99
-        steep = 10.0 * steep
+        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
+        steep = STEEPER * steep
 
 
 def permits_levels(order: int, lead: 'float[:,:]') -> bool:

@@ -13,6 +13,14 @@ from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, 
 
 # values on both sides of the best one cost at most this share of its time: closer ones gain less
 FLAT = 1.0001
+# steps around the best end: the first one, as a share of its limit, halved where it gains nothing
+FIRST_STEP = 0.125
+STEPS = 10
+# derivatives that nothing limits are raised by this factor, so often, as long as the time of a lead
+# becomes less than this share
+STEEPER = 10.0
+STEEPEST = 4
+WORTH_STEEPER = 0.99
 
 
 def try_end(
@@ -45,8 +53,8 @@ def search_end(
     if lead[LeadWork.BEST_ENDS, stage] >= NEVER or lead[LeadWork.BEST, Lead.TIME] < 0.0:
         for i in range(-4, 5):
             try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients)
-    step = 0.125 * bound
-    for i in range(10):
+    step = FIRST_STEP * bound
+    for i in range(STEPS):
         around = lead[LeadWork.BEST_ENDS, stage]
         if around >= NEVER:
             break
@@ -144,12 +152,12 @@ def search_stages(
 ) -> None:
     """Search for a lead of `within` [s] at most, else the best, from START by the ends of stages.
 
-    Derivatives that nothing limits are raised as long as that shortens it by more than 1 %.
+    Derivatives that nothing limits are raised as long as that shortens it (WORTH_STEEPER).
     """
     steep = 1.0
-    for i in range(4):
+    for i in range(STEEPEST):
         set_limits(steep, lead)
-        lead[LeadWork.BEST, Lead.GAIN] = 0.99
+        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
         before = lead[LeadWork.BEST, Lead.TIME]
         if before >= 0.0:
             for j in range(Chain.SIZE):
@@ -161,4 +169,4 @@ def search_stages(
         search_ends(order, within, limits, lead, timing, coefficients)
         if leads_in(within, lead):
             break
-        steep = 10.0 * steep
+        steep = STEEPER * steep

@@ -1,6 +1,6 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.planner.phases import total_duration
 from segfmu.kernels.planner.profile import plain_profile
 from segfmu.kernels.planner.records import Axis, Phase, Problem
@@ -12,6 +12,11 @@ from segfmu.kernels.settling.stages import append_phases, settle, settle_above, 
 from segfmu.kernels.trajectory.check import check_axis, keep_inside
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
+
+# of the limits: what derivatives may exceed, jump by between pieces, and differ from the start by
+KEPT = 1e-9
+CONTINUOUS = 5e-10
+BEGUN = 1e-11
 
 
 def set_limits(steep: float, lead: 'float[:,:]') -> None:
@@ -46,7 +51,7 @@ def profile_time(lead: 'float[:,:]') -> float:
     phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
     for order in range(1, 3):
         value = state[Chain.DERIVATIVES + order]
-        if abs(value) > side_limit(order, value, axis) * (1.0 + 1e-12):
+        if abs(value) > side_limit(order, value, axis) * (1.0 + EQUAL):
             return -1.0
     problem[Problem.V] = state[Chain.DERIVATIVES + 1]
     problem[Problem.A] = state[Chain.DERIVATIVES + 2]
@@ -84,7 +89,7 @@ def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
     width = coefficients.shape[1]
     for i in range(1, width // 2 + 1):
         value = evaluate_piece(coefficients, LeadRows.PIECES, width, 0.0, i)
-        if not abs(value - lead[LeadWork.NOW, i]) <= 1e-11 * lead[LeadWork.LIMITS, i]:
+        if not abs(value - lead[LeadWork.NOW, i]) <= BEGUN * lead[LeadWork.LIMITS, i]:
             return False
     return True
 
@@ -114,11 +119,11 @@ def keep_better(
             return False
         keep_inside(check)
         if not check_axis(
-            first, last, timing, coefficients, limits, lower, 1e-9, 5e-10, check
+            first, last, timing, coefficients, limits, lower, KEPT, CONTINUOUS, check
         ):
             return False
     keep_lead(last, time, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - 1e-12
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
     return True
 
 
