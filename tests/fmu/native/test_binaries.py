@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
 import shutil
 import struct
@@ -61,6 +62,43 @@ def test_a_library_is_compiled_once(cache: Path, monkeypatch: pytest.MonkeyPatch
         assert binaries.binary("Some", SMALL, platform) == first
     changed = binaries.binary("Some", SMALL | {"part.h": b"#define PART 8\n"}, platform)
     assert changed != first and len(list(cache.iterdir())) == 2
+
+
+KERNELS = dict.fromkeys(binaries.SHARED, b"") | {"core.c": b"int kernel(void) { return 7; }\n"}
+OWN = b"""
+#ifdef SEGFMU_KERNELS_APART
+int kernel(void);
+#else
+#include "core.c"
+#endif
+__attribute__((visibility("default"))) int %s(void) { return kernel(); }
+"""
+
+
+@needs_native
+def test_kernels_of_all_models_are_compiled_once(
+    cache: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    compiled, compile = [], compilers.Compiler.compile
+
+    def counting(self: compilers.Compiler, source: Path, *options: str) -> Path:
+        compiled.append((source.name, options))
+        return compile(self, source, *options)
+
+    monkeypatch.setattr(compilers.Compiler, "compile", counting)
+    chosen = compilers.compiler(platform)
+    for name in ("one", "another"):
+        texts = KERNELS | {"fmu.c": OWN % name.encode()}
+        library = tmp_path / f"{name}.library"
+        library.write_bytes(binaries.binary(name, texts, platform, compiler=chosen))
+        found = ctypes.CDLL(str(library))
+        assert found[name]() == 7
+        # as in a library of one unit
+        assert not hasattr(found, "kernel")
+    apart = ("fmu.c", ("-DSEGFMU_KERNELS_APART",))
+    assert compiled == [("core.c", ()), apart, apart]
 
 
 @needs_native

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from segfmu.fmu.models import named
 from segfmu.fmu.native import feeds, start, tables
-from segfmu.fmu.native.binaries import UNIT, binary
+from segfmu.fmu.native.binaries import APART, CORE, SHARED, UNIT, binary
 from segfmu.fmu.native.compilers import PLATFORMS, host, universal
 from segfmu.fmu.native.processes import on_all_cores
 from segfmu.fmu.placing import placing
@@ -19,10 +19,7 @@ from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
 
-KERNELS = (
-    "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "plan.c", "problem.h",
-    "records.h", "segfmu.h", "span.h", "visible.h",
-)
+KERNELS = tuple(name for name in SHARED if name not in (CORE, "oldest.h"))
 GLUE = (
     "checksum.h", "feed.c", "feed.h", "glue.h", "instance.c", "model.h", "oldest.h", "say.c",
     "say.h", "simulation.c", "start.c", "start.h", "state.c", "values.c",
@@ -69,7 +66,8 @@ def build_all(
 def sources(name: str, fmi: int) -> dict[str, bytes]:
     """All sources of a model by their names in the archive, which has them in one folder.
 
-    They follow from the model alone. `binaries.UNIT` includes the others; it alone is compiled.
+    They follow from the model alone. `binaries.UNIT` includes the others; an importer compiles it
+    alone, and binaries of this package link it with the kernels.
     """
     model = named(name)
     spec = model.largest()
@@ -81,24 +79,37 @@ def sources(name: str, fmi: int) -> dict[str, bytes]:
     if model.records:
         found["feeds.h"] = feeds.header(model.records).encode()
         found["feeds.c"] = feeds.source(spec, model.records).encode()
+    found[CORE] = _core().encode()
     found[UNIT] = _unit(found).encode()
     found["build.h"] = tables.build(tables.mark(found)).encode()
     return found
 
 
+def _core() -> str:
+    """The text that has all kernels: equal in all models and versions."""
+    return (
+        f"{tables.BANNER}/* The kernels: {UNIT} includes them, or is linked with them where "
+        f"{APART} is defined. */\n#include \"oldest.h\"\n\n"
+        + "".join(f'#include "{name}"\n' for name in KERNELS if name.endswith(".c"))
+    )
+
+
 def _unit(texts: Iterable[str]) -> str:
     """The text of the one translation unit: what its sources share is visible nowhere else."""
-    shared = [*(n for n in KERNELS if n.endswith(".c")), "variables.c", "feed.c"]
-    own = sorted(n for n in texts if n.endswith(".c") and n not in shared)
-    first, rest = ("".join(f'#include "{n}"\n' for n in names) for names in (shared, own))
+    shared = (*(n for n in SHARED if n.endswith(".c")), "variables.c", "feed.c")
+    own = "".join(
+        f'#include "{n}"\n' for n in sorted(texts) if n.endswith(".c") and n not in shared
+    )
     return (
         f"{tables.BANNER}/* Compile this file alone: it includes all others. Nothing but the "
         "functions of FMI is visible\n   outside; FMI2_FUNCTION_PREFIX, FMI3_FUNCTION_PREFIX go "
         "before their names. */\n"
-        "#define SEGFMU_API static\n\n#include \"oldest.h\"\n\n"
         "/* no model calls all of these */\n#if defined(__GNUC__)\n#pragma GCC diagnostic push\n"
         '#pragma GCC diagnostic ignored "-Wunused-function"\n#endif\n'
-        f"{first}#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{rest}"
+        f'#ifdef {APART}\n#include "oldest.h"\n'
+        f'#else\n#define SEGFMU_API static\n#include "{CORE}"\n#endif\n'
+        '#include "variables.c"\n#include "feed.c"\n'
+        f"#if defined(__GNUC__)\n#pragma GCC diagnostic pop\n#endif\n\n{own}"
     )
 
 

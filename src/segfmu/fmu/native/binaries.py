@@ -10,10 +10,12 @@ from __future__ import annotations
 import hashlib
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from threading import Lock
 
 from platformdirs import user_cache_path
 
@@ -25,11 +27,21 @@ from segfmu.folders import temporary_files, work_folder
 
 # the one translation unit of an FMU, which includes its other sources
 UNIT = "fmu.c"
+# The kernels, of which it does without where APART is defined: they take most of the time, and are
+# equal in all models and versions of FMI.
+CORE, APART = "core.c", "SEGFMU_KERNELS_APART"
+# and what they include
+SHARED = (
+    CORE, "arrays.h", "kernels.c", "kernels.h", "messages.c", "messages.h", "oldest.h", "plan.c",
+    "problem.h", "records.h", "segfmu.h", "span.h", "visible.h",
+)
 # bytes of the digest that a file of the cache begins with
 DIGEST = hashlib.sha256().digest_size
-# newest libraries that the cache keeps, and their names
+# newest entries of the cache that are kept, and their names
 KEPT = 64
 OWN = re.compile(r"\w+-\w+-\w+-[0-9a-f]{32}")
+# by platform, held while its kernels are compiled
+_locks: defaultdict[str, Lock] = defaultdict(Lock)
 
 
 def binary(
@@ -46,7 +58,9 @@ def binary(
     platform : str
         A name of `TARGETS`.
     compiler : Compiler, optional
-        In place of a packaged binary and of the machine's compiler.
+        In place of a packaged binary and of the machine's compiler; it compiles the kernels once
+        for all libraries of the platform. That takes half the time, and a step of the crane 3 %
+        more with zig, yet 15 % with GCC.
 
     Raises
     ------
@@ -55,16 +69,13 @@ def binary(
     """
     if platform not in TARGETS:
         raise BuildError(f"platform must be one of {', '.join(TARGETS)}, got {platform!r}")
-    ready = None if compiler else _packaged(platform).get(packaged_name(name, texts, platform))
+    if compiler is not None:
+        return _cached(f"{name}_apart", texts, compiler, lambda: _linked(name, texts, compiler))
+    ready = _packaged(platform).get(packaged_name(name, texts, platform))
     if ready is not None:
         return ready
-    chosen = compiler or compiler_for(platform)
-    path = folder() / _key(name, texts, chosen)
-    found = _read(path)
-    if found is None:
-        found = compiled(name, texts, chosen)
-        _keep(path, found)
-    return found
+    own = compiler_for(platform)
+    return _cached(name, texts, own, lambda: compiled(name, texts, own))
 
 
 def packaged(models: Iterable[tuple[str, Mapping[str, bytes]]]) -> tuple[str, ...]:
@@ -83,14 +94,39 @@ def folder() -> Path:
 
 def compiled(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
     """Compile and link; the folder that this happens in leaves no trace in the library."""
+    return _built(texts, lambda root: chosen.build(root / UNIT, _library(root, name, chosen)))
+
+
+def _linked(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> bytes:
+    """The same with kernels that other libraries have as well."""
+    core = {source: texts[source] for source in SHARED}
+    # the first model compiles them, others wait
+    with _locks[chosen.platform.name]:
+        kernels = _cached("Kernels", core, chosen, lambda: _built(
+            core, lambda root: chosen.compile(root / CORE)
+        ))
+
+    def linked(root: Path) -> Path:
+        ready = root / "kernels.o"
+        ready.write_bytes(kernels)
+        own = chosen.compile(root / UNIT, f"-D{APART}")
+        return chosen.link(_library(root, name, chosen), own, ready)
+
+    return _built(texts, linked)
+
+
+def _library(root: Path, name: str, chosen: Compiler) -> Path:
+    return root / f"{name}{chosen.platform.suffix}"
+
+
+def _built(texts: Mapping[str, bytes], build: Callable[[Path], Path]) -> bytes:
+    """What is made of sources in a folder that has them and nothing else."""
     with work_folder() as root, temporary_files(BuildError):
         for source, text in texts.items():
             target = root / source
             target.parent.mkdir(exist_ok=True)
             target.write_bytes(text)
-        library = root / f"{name}{chosen.platform.suffix}"
-        chosen.build(root / UNIT, library)
-        return library.read_bytes()
+        return build(root).read_bytes()
 
 
 def source_digest(texts: Mapping[str, bytes]) -> str:
@@ -119,23 +155,35 @@ def _key(name: str, texts: Mapping[str, bytes], chosen: Compiler) -> str:
     return f"{name}-{chosen.platform.name}-{digest[:32]}"
 
 
+def _cached(
+    name: str, texts: Mapping[str, bytes], chosen: Compiler, make: Callable[[], bytes]
+) -> bytes:
+    """An entry of the cache, made where it is not there."""
+    path = folder() / _key(name, texts, chosen)
+    found = _read(path)
+    if found is None:
+        found = make()
+        _keep(path, found)
+    return found
+
+
 def _read(path: Path) -> bytes | None:
-    """A library of the cache, if it is there and whole."""
+    """An entry of the cache, if it is there and whole."""
     try:
         content = path.read_bytes()
     except OSError:
         return None
-    library = content[DIGEST:]
-    return library if hashlib.sha256(library).digest() == content[:DIGEST] else None
+    kept = content[DIGEST:]
+    return kept if hashlib.sha256(kept).digest() == content[:DIGEST] else None
 
 
-def _keep(path: Path, library: bytes) -> None:
-    """Put a library into the cache; without one, the next build compiles again."""
+def _keep(path: Path, made: bytes) -> None:
+    """Put an entry into the cache; without one, the next build compiles again."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with work_folder(path.parent) as beside:
             whole = beside / path.name
-            whole.write_bytes(hashlib.sha256(library).digest() + library)
+            whole.write_bytes(hashlib.sha256(made).digest() + made)
             os.replace(whole, path)
         # the folder may be one that has other files too
         entries = [p for p in path.parent.iterdir() if OWN.fullmatch(p.name) and p.is_file()]

@@ -43,10 +43,15 @@ class Platform:
 
 # C has nothing to unwind
 _CODE = ("-fPIC", "-fno-asynchronous-unwind-tables", "-fno-unwind-tables")
-_MACH = ("-shared", "-s")
-_ELF = ("-shared", "-s", "-Wl,--gc-sections", "-lm")
+# No model calls all kernels. Without optimisation, zig would compile a library of checks, which
+# nothing here needs, for each platform.
+_LINK = ("-O3", "-shared", "-s")
+_MACH = (*_LINK, "-Wl,-dead_strip")
+_ELF = (*_LINK, "-Wl,--gc-sections", "-Wl,-z,defs", "-lm")
 # what clang inlines at most; its usual 225 makes binaries larger by 8 %, and hardly faster
 _ZIG = ("-mllvm", "-inline-threshold=100")
+# zig would compile for each platform what processors lack, of which nothing is used on these
+_WHOLE = (".so", ".dylib")
 PLATFORMS = {
     p.name: p
     for p in (
@@ -56,7 +61,10 @@ PLATFORMS = {
             (*_CODE, "-DSEGFMU_OLDEST_GLIBC"), _ELF,
         ),
         Platform("aarch64-linux", "aarch64-linux", "aarch64-linux-gnu.2.17", ".so", _CODE, _ELF),
-        Platform("x86_64-windows", "win64", "x86_64-windows-gnu", ".dll", (), ("-shared", "-s")),
+        Platform(
+            "x86_64-windows", "win64", "x86_64-windows-gnu", ".dll", (),
+            (*_LINK, "-Wl,--gc-sections"),
+        ),
         # macOS 11 is the first one for both processors
         Platform("x86_64-darwin", "darwin64", "x86_64-macos.11.0", ".dylib", _CODE, _MACH),
         Platform("aarch64-darwin", "aarch64-darwin", "aarch64-macos.11.0", ".dylib", _CODE, _MACH),
@@ -68,7 +76,7 @@ PLATFORMS = {
 BROWSER = Platform(
     "wasm32-wasi", "", "wasm32-wasi", ".wasm", (),
     (
-        "-mexec-model=reactor", "-s", "-Wl,--gc-sections", "-Wl,--export-dynamic",
+        "-O3", "-mexec-model=reactor", "-s", "-Wl,--gc-sections", "-Wl,--export-dynamic",
         "-Wl,--export=malloc", "-Wl,--export-table", "-Wl,--growable-table",
     ),
 )
@@ -88,7 +96,7 @@ class Compiler:
         """What a binary follows from beside its sources."""
         return " ".join((*self.command, self.version, *OPTIONS, *self.platform.options))
 
-    def build(self, source: Path, library: Path) -> None:
+    def build(self, source: Path, library: Path) -> Path:
         """Compile one source, beside those that it includes, to a shared library.
 
         It shows nothing but the functions of FMI, and equal sources give equal bytes.
@@ -98,19 +106,27 @@ class Compiler:
         BuildError
             With the compiler's first error.
         """
-        folder = source.parent
-        objects = folder / f"{source.name}.o"
-        # no path of this machine gets into the library
+        return self.link(library, self.compile(source))
+
+    def compile(self, source: Path, *options: str) -> Path:
+        """The object file of a source; no path of this machine gets into it."""
+        target = source.with_name(f"{source.name}.o")
         self._run(
-            *OPTIONS, f"-ffile-prefix-map={folder}=.", *self.platform.compile, "-c", source.name,
-            "-o", objects.name, folder=folder,
+            *OPTIONS, f"-ffile-prefix-map={source.parent}=.", *self.platform.compile, *options,
+            "-c", source.name, "-o", target.name, folder=source.parent,
         )
+        return target
+
+    def link(self, library: Path, *objects: Path) -> Path:
+        """The shared library of object files that are in its folder."""
         install = ("-Wl,-install_name,@rpath/" + library.name,) * (library.suffix == ".dylib")
         self._run(
-            objects.name, "-o", library.name, *self.platform.link, *install, folder=folder
+            *(o.name for o in objects), "-o", library.name, *self.platform.link, *install,
+            folder=library.parent,
         )
         if library.suffix == ".dll":
             library.write_bytes(without_date(library.read_bytes()))
+        return library
 
     def _run(self, *arguments: str, folder: Path) -> None:
         code, said = processes.run([*self.command, *arguments], folder)
@@ -191,8 +207,9 @@ def portable(name: str) -> Compiler:
             f"no C compiler for {name}; install the extra segfmu[platforms], which has ziglang"
         )
     chosen = TARGETS[name]
+    options = (*_ZIG, *(("-rtlib=none",) if chosen.suffix in _WHOLE else ()))
     return Compiler(
-        (sys.executable, "-m", "ziglang", "cc", "-target", chosen.target, *_ZIG), chosen,
+        (sys.executable, "-m", "ziglang", "cc", "-target", chosen.target, *options), chosen,
         metadata.version("ziglang"),
     )
 
