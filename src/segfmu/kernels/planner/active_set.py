@@ -11,6 +11,7 @@ from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.newton import has_pace
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.plateaus import (
+    MOST_NODES,
     insert_node,
     insert_plateau,
     keep_sequence,
@@ -30,8 +31,6 @@ from segfmu.kernels.planner.records import (
 )
 from segfmu.kernels.planner.sequence import sequence_duration
 
-# nodes of a sequence that is changed: others are too long
-MOST_NODES = 12
 # changes of it until it has failed
 CHANGES = 10
 # a sequence is better if it costs this share less

@@ -35,8 +35,10 @@ INSIDE = 0.75
 ROUNDED = 1e-9
 # meetings of axes until there is no common duration
 SWEEPS = 100000
-# a larger number of samples has no fraction, and may be no integer
-COUNTED = 1e15
+# sample times [s], and the largest count of samples that is a whole number
+SHORTEST_SAMPLE = 1e-9
+LONGEST_SAMPLE = 1e6
+WHOLE = 1e15
 
 
 def set_shortest(
@@ -158,7 +160,7 @@ def round_up(duration: float, sample_time: float) -> float:
     if sample_time <= 0.0:
         return duration
     samples = duration / sample_time - ROUNDED
-    if not samples < COUNTED:
+    if not samples < WHOLE:
         return duration
     return ceil(samples) * sample_time
 

@@ -4,7 +4,12 @@
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, NEVER, SAME
-from segfmu.kernels.planner.intervals import common_duration, set_duration
+from segfmu.kernels.planner.intervals import (
+    LONGEST_SAMPLE,
+    SHORTEST_SAMPLE,
+    common_duration,
+    set_duration,
+)
 from segfmu.kernels.planner.parameters import axis_limits
 from segfmu.kernels.planner.plan_axis import plan_axis
 from segfmu.kernels.planner.records import (
@@ -24,9 +29,6 @@ from segfmu.kernels.planner.sides import own_side, set_lower, side_limit
 
 # sweeps over the intervals until no time is left
 SWEEPS = 50
-# sample times [s] whose multiples are exact in plans of any length, with digits behind
-SHORTEST_SAMPLE = 1e-9
-LONGEST_SAMPLE = 1e6
 
 
 def check_waypoints(

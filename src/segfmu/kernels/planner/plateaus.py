@@ -8,7 +8,7 @@ from segfmu.kernels.planner.newton import solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Touch
 from segfmu.kernels.planner.sequence import sequence_duration
 
-# nodes of a sequence that gets a plateau: others are too long
+# nodes of a sequence that is changed: others are too long
 MOST_NODES = 12
 # a plateau takes this share of the level that it begins from
 SHARE = 0.7

@@ -1,16 +1,12 @@
 """Checks of waypoints and limits before planning."""
 
-from segfmu.kernels.planner.intervals import round_up
+from segfmu.kernels.planner.intervals import LONGEST_SAMPLE, SHORTEST_SAMPLE, WHOLE, round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
 # a velocity or acceleration is zero, or its limit, within this share of it
 NEARLY = 1e-9
 # and one that is rounded again stays as it is
 ROUNDED = 1e-15
-# sample times [s], and the largest count of samples that is a whole number
-SHORTEST_SAMPLE = 1e-9
-LONGEST_SAMPLE = 1e6
-WHOLE = 1e15
 # the largest double
 LARGEST = 1.7976931348623157e308
 
