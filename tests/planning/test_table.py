@@ -54,6 +54,13 @@ def test_axes_have_any_names_and_an_order(tmp_path: Path) -> None:
     assert read_waypoints(swapped)[0].position.tolist() == [1.0, 2.0, 3.0]
 
 
+def test_units_are_left_out(tmp_path: Path) -> None:
+    text = "z [m],x [m],y [m],velocity_x [m/s],acceleration_y [m/s^2],dwell [s]\n3,1,2,4,5,6\n"
+    point = read_waypoints(write(tmp_path, text))[0]
+    assert point.position.tolist() == [1.0, 2.0, 3.0]
+    assert (point.velocity[0], point.acceleration[1], point.dwell) == (4.0, 5.0, 6.0)
+
+
 def test_states_that_are_free_for_one_axis_alone(tmp_path: Path) -> None:
     point = read_waypoints(write(tmp_path, "x,y,velocity_x,acceleration_y\n1,2,free,free\n"))[0]
     assert np.isnan(point.velocity).tolist() == [True, False]
@@ -72,6 +79,15 @@ def test_states_that_are_free_for_one_axis_alone(tmp_path: Path) -> None:
     ("x,x\n1,2\n", "line 1: column x is there twice"),
     ("x,,y\n1,,2\n", "line 1: column 2 has no name"),
     ("dwell\n1\n", "line 1: no column has a position"),
+    ("0,0,-1\n1,1,-1\n", "line 1: '0' is no name of a column; the first line has names"),
+    ("x,y (m)\n1,2\n", "line 1: 'y (m)' is no name of a column"),
+    ("x [m],y [mm]\n1,2\n", "line 1: column y is in mm; give it in m"),
+    ("x,velocity_x [m/min]\n1,2\n", "line 1: column velocity_x is in m/min; give it in m/s"),
+    ("x,y,velocty_x\n1,2,3\n", "line 1: column 'velocty_x': known are x, y, velocity_x"),
+    ("x,y,z,comment\n1,2,3,4\n", "line 1: column 'comment': known are x, y, z, velocity_x"),
+    ("Z,X,Y\n3,1,2\n", "line 1: column 'Z': known are x, y, z, velocity_x"),
+    ("x\n1_0\n", "line 2, column x: must be a finite number, got '1_0'"),
+    ("x;y\n1,5;2\n", "column x: must be a finite number, got '1,5'; decimals have a point"),
     ('x\n"1\n', "path.csv, line 2: "),
 ])
 def test_wrong_tables_are_told(tmp_path: Path, text: str, words: str) -> None:

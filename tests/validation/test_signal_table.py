@@ -19,6 +19,8 @@ from segfmu.validation.signal_table import read_table
     ("time,a\n0,1\n1,2\n2\n", ", line 4: 1 values for 2 columns"),
     ("time,a\n0,1\n1,fast\n", ", line 3: a must be a number, got 'fast'"),
     ("time,a\n0,1,2\n", "2 names but rows of 3 numbers"),
+    ("time [ms],a\n0,1\n1,2\n", "column time is in ms; give it in s"),
+    ("time,sway.x.angle [deg]\n0,1\n1,2\n", "column sway.x.angle is in deg; give it in rad"),
     ("time,a,a\n0,1,2\n", "two columns have one name, 'a'"),
     ("time,a\n0,1\n1,1\n1,2\n",
      "time does not increase: 1.0 s behind 1.0 s in row 3 of the numbers"),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import csv
+import re
+from collections.abc import Mapping
 from pathlib import Path
 
 from segfmu.errors import InputError
@@ -10,11 +12,32 @@ from segfmu.errors import InputError
 # between columns, what the first line has
 DELIMITERS = (";", "\t", ",")
 LARGEST = 64_000_000
+# behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
+UNIT = re.compile(r"\s+\[([^\]]*)\]$")
 
 
 def delimiter_of(line: str) -> str:
     """What is between the columns of a first line."""
     return next((d for d in DELIMITERS if d in line), ",")
+
+
+def without_units(cells: list[str], units: Mapping[str, str], where: str) -> list[str]:
+    """Names of columns; units in brackets behind them are left out.
+
+    Raises
+    ------
+    InputError
+        For another unit than that of a column in `units`.
+    """
+    names = []
+    for cell in cells:
+        name = UNIT.sub("", cell)
+        found = UNIT.search(cell)
+        unit = "" if found is None else found[1].strip().replace("^", "").replace("²", "2")
+        if unit and unit != units.get(name, unit):
+            raise InputError(f"{where}: column {name} is in {unit}; give it in {units[name]}")
+        names.append(name)
+    return names
 
 
 def read_rows(file: Path) -> list[tuple[int, list[str]]]:

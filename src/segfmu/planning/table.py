@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from math import isfinite
 from pathlib import Path
@@ -9,7 +10,7 @@ from typing import Any
 
 from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
-from segfmu.planning.rows import read_rows
+from segfmu.planning.rows import read_rows, without_units
 from segfmu.planning.waypoint import Waypoint
 
 # before an underscore and the name of an axis
@@ -17,23 +18,30 @@ STATES = ("velocity", "acceleration")
 DWELL = "dwell"
 USUAL = ("x", "y", "z")
 FREE = "free"
+# a number or a unit is none
+NAME = re.compile(r"[^\W\d][^()\[\]]*")
+UNITS = {
+    DWELL: "s", **dict.fromkeys(USUAL, "m"),
+    **{f"{state}_{axis}": unit for state, unit in zip(STATES, ("m/s", "m/s2"), strict=True)
+       for axis in USUAL},
+}
 
 
 def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[Waypoint]:
     """Read waypoints from a table in a CSV file, one a row.
 
     The first line names the columns: the position of each axis by the name of the axis, and, if
-    wanted, `velocity_x`, `acceleration_x` and so on, and `dwell`. Units are m, m/s, m/s2 and s. A
-    velocity or acceleration can be `free`. An empty one, or one without a column, is 0, as is an
-    empty dwell. Columns are separated by commas, semicolons or tabs. Empty lines and those that
-    begin with # are skipped.
+    wanted, `velocity_x`, `acceleration_x` and so on, and `dwell`. Units are m, m/s, m/s2 and s;
+    they may stand in brackets behind the names. A velocity or acceleration can be `free`. An empty
+    one, or one without a column, is 0, as is an empty dwell. Columns are separated by commas,
+    semicolons or tabs. Empty lines and those that begin with # are skipped.
 
     Parameters
     ----------
     path : str or Path
     axes : sequence of str, optional
         Names of the axes in the order of the waypoints' values. By default x, y, z in this order
-        where these are the axes of the table, else the axes in the order of their columns.
+        where the table has these, else the axes in the order of their columns.
 
     Returns
     -------
@@ -51,6 +59,7 @@ def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[
         raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
     number, names = lines[0]
     where = f"{file}, line {number}"
+    names = without_units(names, UNITS, where)
     found = _axes(where, names) if axes is None else as_tuple("axes", axes)
     _require_columns(where, names, found)
     points = []
@@ -72,11 +81,19 @@ def _path(path: str | Path) -> Path:
 
 def _axes(where: str, names: list[str]) -> tuple[str, ...]:
     """The axes that the columns name."""
-    prefixes = tuple(f"{state}_" for state in STATES)
-    found = tuple(n for n in names if n and n != DWELL and not n.startswith(prefixes))
+    wrong = next((n for n in names if n and not NAME.fullmatch(n)), None)
+    if wrong is not None:
+        raise InputError(
+            f"{where}: {shown(wrong)} is no name of a column; the first line has names, such as "
+            "x,y,z,dwell, and units in brackets, such as x [m]"
+        )
+    # a state of another axis, also if it is misspelt
+    found = tuple(n for n in names if n and n != DWELL and n.rpartition("_")[2] not in
+                  {*names} - {n} and not n.startswith(tuple(f"{state}_" for state in STATES)))
     if not found:
         raise InputError(f"{where}: no column has a position; name one by its axis, such as x")
-    return USUAL if set(found) == set(USUAL) else found
+    usual = {n.lower() for n in found} >= set(USUAL)
+    return USUAL if usual else found
 
 
 def _require_columns(where: str, names: list[str], axes: tuple[str, ...]) -> None:
@@ -120,8 +137,10 @@ def _number(where: str, column: str, cell: str, other: str = "") -> float:
         value = float(cell)
     except ValueError:
         value = float("nan")
-    if not isfinite(value):
+    # Python's 1_000 is another number elsewhere
+    if not isfinite(value) or "_" in cell:
+        comma = "; decimals have a point" if "," in cell else ""
         raise InputError(
-            f"{where}, column {column}: must be a finite number{other}, got {shown(cell)}"
+            f"{where}, column {column}: must be a finite number{other}, got {shown(cell)}{comma}"
         )
     return value

@@ -6,7 +6,6 @@ Columns are separated as in the first line: by commas, semicolons or tabs.
 from __future__ import annotations
 
 import csv
-import re
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,16 +15,14 @@ import numpy as np
 
 from segfmu.arrays import FloatArray, shown
 from segfmu.errors import InputError
-from segfmu.planning.rows import LARGEST, delimiter_of, read_rows
-
-# behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
-UNIT = re.compile(r"\s+\[[^\]]*\]$")
+from segfmu.planning.rows import LARGEST, delimiter_of, read_rows, without_units
+from segfmu.validation.units import signal_units
 
 
 def read_table(path: Path) -> dict[str, FloatArray]:
     """Columns of a CSV file by name: "time", which increases, and signals.
 
-    Units in brackets behind the names are left out.
+    Units in brackets behind the names are left out; signals of the FMUs must have theirs.
 
     Raises
     ------
@@ -34,12 +31,13 @@ def read_table(path: Path) -> dict[str, FloatArray]:
     """
     try:
         with path.open(encoding="utf-8-sig", newline=None) as file:
-            delimiter, names = _header(file)
+            delimiter, cells = _header(file)
             data = _rows(file, delimiter)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, csv.Error):
         raise InputError(_wrong(path)) from None
+    names = without_units(cells, signal_units(), str(path))
     _require_names(path, names)
     if data.shape[0] == 0:
         raise InputError(f"{path}: there is no row of numbers")
@@ -65,7 +63,7 @@ def _header(file: TextIO) -> tuple[str, list[str]]:
     line = file.readline()
     delimiter = delimiter_of(line)
     cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
-    return delimiter, [UNIT.sub("", cell.strip()) for cell in cells]
+    return delimiter, [cell.strip() for cell in cells]
 
 
 def _rows(file: TextIO, delimiter: str) -> FloatArray:

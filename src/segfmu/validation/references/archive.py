@@ -28,7 +28,7 @@ from segfmu.fmu.standard.ls_ref import (
     read_experiments,
     read_manifest,
 )
-from segfmu.validation.signal_table import UNIT
+from segfmu.planning.rows import UNIT
 
 Read = TypeVar("Read")
 # as tables and parameter sets write them
