@@ -94,6 +94,14 @@ def finite_number(name: str, value: ArrayLike) -> float:
     return number
 
 
+def finite_times(t: ArrayLike) -> FloatArray:
+    """Return times of any shape as finite numbers."""
+    times = numbers("t", t)
+    if not np.isfinite(times).all():
+        raise InputError("t must be finite")
+    return times
+
+
 def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
     """Return a sequence as a tuple."""
     try:

@@ -15,6 +15,12 @@ from segfmu.kernels.crane.records import Axes
 LARGEST_SEED = 2**31 - 1
 
 
+def require_kind(name: str, value: object, kind: type) -> None:
+    """Raise InputError unless `value` is an object of this class."""
+    if not isinstance(value, kind):
+        raise InputError(f"{name} must be of class {kind.__name__}, got {type(value).__name__}")
+
+
 def require_finite(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number."""
     if not _finite(value):

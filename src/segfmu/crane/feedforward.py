@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, finite_times
 from segfmu.crane.checks import require_not_negative, sized
 from segfmu.crane.inverse import FlatInverse
 
@@ -81,17 +81,17 @@ class Feedforward:
 
     def state(self, t: ArrayLike) -> FloatArray:
         """Reference state at times t, shape (..., 10), with a hook (..., 14)."""
-        return self.inverse.state(np.asarray(t) - self.compensation.delay)
+        return self.inverse.state(finite_times(t) - self.compensation.delay)
 
     def load(self, t: ArrayLike) -> FloatArray:
         """Reference position of the load at times t [m], shape (..., 3)."""
-        found: FloatArray = self.inverse.trajectory(np.asarray(t) - self.compensation.delay)
+        found: FloatArray = self.inverse.trajectory(finite_times(t) - self.compensation.delay)
         return found
 
     def _setpoints(self, t: ArrayLike) -> tuple[FloatArray, FloatArray]:
         known = self.compensation
         found = {
-            dead: self._instant(np.asarray(t) - known.delay + dead) for dead in {*known.dead_time}
+            dead: self._instant(finite_times(t) - known.delay + dead) for dead in {*known.dead_time}
         }
         force, velocity = (
             np.stack([found[dead][kind][..., i] for i, dead in enumerate(known.dead_time)], axis=-1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, finite_times
 from segfmu.crane.contacts import NONE, Contacts
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_model import GANTRY
@@ -90,7 +90,7 @@ class FlatInverse:
 
     def evaluate(self, t: ArrayLike) -> FloatArray:
         """Forces, state and accelerations side by side, shape (..., 18), with a hook (..., 24)."""
-        times = np.asarray(t, dtype=np.float64)
+        times = finite_times(t)
         orders, columns = self.model.orders, self.model.columns
         flat = np.stack([self.trajectory(times, d) for d in range(orders)], axis=-2)
         results = np.empty((*flat.shape[:-2], self.model.results.SIZE))

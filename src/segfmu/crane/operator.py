@@ -331,7 +331,7 @@ class Operator:
             For another name, and if the acceleration of a drive has no bound.
         """
         for drive in drives:
-            if drive not in DRIVES:
+            if not isinstance(drive, str) or drive not in DRIVES:
                 raise InputError(f"a drive is one of {', '.join(DRIVES)}, got {shown(drive)}")
         self._require_brakes("a drive that trips", {*drives, *self.tripped})
         for drive in drives:

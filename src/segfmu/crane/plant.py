@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.crane.checks import require_kind, require_not_negative, require_positive, sized
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
@@ -103,8 +103,10 @@ class Plant:
         rig: Rig | None = None,
         start_time: float = 0.0,
     ) -> None:
-        require_positive("controller sample_time", controller.sample_time)
-        rig = rig or Rig()
+        require_positive("controller sample_time", getattr(controller, "sample_time", None))
+        require_kind("setpoints", setpoints, Setpoints)
+        rig = Rig() if rig is None else rig
+        require_kind("rig", rig, Rig)
         self._controller = controller
         self._status: int = PlantStatus.DONE
         self._settings = np.zeros((Settings.SIZE, Settings.COLUMNS))

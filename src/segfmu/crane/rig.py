@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, as_tuple
+from segfmu.crane.checks import require_kind
 from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.kinds import AnyCrane
@@ -14,9 +15,14 @@ from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, kept, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import DriveMode, Plant
+from segfmu.kernels.crane.records import DRIVES, DriveMode, Plant
 from segfmu.kernels.messages import SETUP
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
+
+PARTS = {
+    **dict.fromkeys(DRIVES, Drive), "friction": Friction, "travel": TravelLimits,
+    "sensors": Sensors, "wind": Wind,
+}
 
 
 @dataclass(frozen=True)
@@ -36,7 +42,7 @@ class Rig:
     Raises
     ------
     InputError
-        For two changes of the load at one time.
+        For objects of other classes, and two changes of the load at one time.
     """
 
     bridge: Drive = field(default_factory=Drive)
@@ -49,6 +55,10 @@ class Rig:
     payload: tuple[PayloadChange, ...] = ()
 
     def __post_init__(self) -> None:
+        for name, kind in PARTS.items():
+            require_kind(name, getattr(self, name), kind)
+        for change in as_tuple("payload", self.payload):
+            require_kind("a change of the payload", change, PayloadChange)
         fault = np.zeros(SetupFault.SIZE)
         status = backend.check_changes(self.changes, fault)
         if status != SetupStatus.FITS:

@@ -15,7 +15,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, finite_times
 from segfmu.crane.checks import require_finite, require_positive
 from segfmu.errors import InputError
 
@@ -83,7 +83,7 @@ class Trapezoid:
         """Position, velocity or acceleration (right-continuous) at times t, the shape of t."""
         _require_derivative(derivative)
         # each edge of the acceleration starts a parabola
-        times = np.asarray(t, dtype=np.float64)
+        times = finite_times(t)
         value = np.full(times.shape, self._start if derivative == 0 else 0.0)
         for edge, step in self.edges:
             since = np.clip(times - edge, 0.0, None)
@@ -178,7 +178,7 @@ class Shaped:
 
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Position, velocity or acceleration at times t, the shape of t."""
-        times = np.asarray(t, dtype=np.float64)
+        times = finite_times(t)
         value = np.zeros(times.shape)
         for delay, share in zip(self._shaper.times, self._shaper.shares, strict=True):
             value += share * self._motion(times - delay, derivative)

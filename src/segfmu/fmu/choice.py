@@ -67,7 +67,7 @@ def chosen(
         For choices that do not exist or exclude each other.
     """
     if fmi not in (2, 3):
-        raise InputError(f"fmi must be 2 or 3, got {fmi}")
+        raise InputError(f"fmi must be 2 or 3, got {shown(fmi)}")
     _require_one_of("backend", backend, BACKENDS)
     _require_one_of("enumerations", enumerations, ENUMERATIONS)
     _require_one_of("commands", commands, COMMANDS)

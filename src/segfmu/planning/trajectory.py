@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray, as_index, finite_number, numbers
+from segfmu.arrays import FloatArray, as_index, finite_number, finite_times
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.planning.limits import Limits
@@ -128,9 +128,7 @@ class Trajectory:
         InputError
             For times that are not finite numbers and a derivative below 0.
         """
-        times = numbers("t", t)
-        if not np.isfinite(times).all():
-            raise InputError("t must be finite")
+        times = finite_times(t)
         derivative = as_index("derivative", derivative)
         flat = np.ascontiguousarray(times.reshape(-1))
         values = np.zeros((flat.size, self.axes))

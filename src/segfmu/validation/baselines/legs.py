@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, finite_times
 from segfmu.crane.shaping import Shaper, Trapezoid
 
 # of a trapezoid without a shaper
@@ -40,7 +40,7 @@ class Legs:
 
     def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Position, velocity or acceleration at times t, the shape of t."""
-        times = np.asarray(t, dtype=np.float64)
+        times = finite_times(t)
         value = np.full(times.shape, self._start if derivative == 0 else 0.0)
         for start, leg in self._legs:
             for delay, share in zip(self._shaper.times, self._shaper.shares, strict=True):
@@ -49,7 +49,7 @@ class Legs:
 
     def swing(self, t: ArrayLike, frequency: float) -> tuple[FloatArray, FloatArray]:
         """Deviation of a linear pendulum [rad/s] below the axis from it [m], its rate [m/s]."""
-        times = np.asarray(t, dtype=np.float64)
+        times = finite_times(t)
         value, rate = np.zeros(times.shape), np.zeros(times.shape)
         for start, leg in self._legs:
             for delay, share in zip(self._shaper.times, self._shaper.shares, strict=True):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from segfmu.arrays import as_index
+from segfmu.arrays import as_index, shown
+from segfmu.errors import InputError
 from segfmu.validation.campaigns.campaign import Campaign, load_campaign
 from segfmu.validation.campaigns.replay import find_run, write_run
 from segfmu.validation.campaigns.result import CampaignResult
@@ -56,6 +57,8 @@ def campaign(
     <CampaignResult 'small': 4 of 4 runs passed>
     """
     require_packages()
+    if not isinstance(scheduler, str | None):
+        raise InputError(f"scheduler must be an address, got {shown(scheduler)}")
     if jobs is not None:
         jobs = as_index("jobs", jobs, least=1)
     require_folder(output, *CAMPAIGN_FILES)

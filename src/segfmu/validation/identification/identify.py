@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, finite_number
+from segfmu.arrays import FloatArray, as_names, finite_number
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.files.crane_models import model_of
-from segfmu.validation.files.crane_parameters import check
-from segfmu.validation.files.kinds import require_kind
-from segfmu.validation.files.objects import plain
-from segfmu.validation.files.reading import checked, read
+from segfmu.validation.identification.arguments import checked_columns, crane_of, logs_of
 from segfmu.validation.identification.fit import Problem
 from segfmu.validation.identification.found import Fit
 from segfmu.validation.identification.log import (
@@ -105,10 +102,17 @@ def identify(
     >>> found["friction.sway.viscous"].high  # doctest: +SKIP
     0.0123
     """
-    if not 0.0 <= finite_number("held_out", held_out) <= 0.9:
+    held_out, tube = finite_number("held_out", held_out), finite_number("tube", tube)
+    if not 0.0 <= held_out <= 0.9:
         raise InputError(f"held_out must be from 0 to 0.9, got {held_out}")
-    file, source = _crane(crane)
-    whole = _logs(logs, file, columns or {})
+    if tube < 0.0:
+        raise InputError(f"tube must be at least 0, got {tube}")
+    columns = checked_columns(columns)
+    file, source = crane_of(crane)
+    keys = list(as_names("fit", usual(file.drive) if fit is None else fit))
+    if not keys or len(set(keys)) < len(keys):
+        raise InputError("fit: name keys of the crane file, each once")
+    whole = logs_of(logs, file, columns)
     period = _sizes(file, whole).period
     every = [part for log in whole for part in sections(log, period)]
     fitted = [log.rows(0, round((1.0 - held_out) * log.times.size)) for log in every]
@@ -116,9 +120,6 @@ def identify(
     sizes = _sizes(file, fitted)
     cut = [_pieces(log, _length(piece, file, sizes)) for log in fitted]
     parts = [part for own in cut for part in own]
-    keys = list(fit) if fit is not None else usual(file.drive)
-    if not keys or len(set(keys)) < len(keys):
-        raise InputError("fit: name keys of the crane file, each once")
     chosen = [quantity(key, file, model.value, sizes) for key in keys]
     unknowns = Unknowns(model, parts, chosen, sizes)
     found = Problem(model, parts, unknowns).fit(
@@ -129,7 +130,7 @@ def identify(
     starts = [unknowns.start(found.point, i) for i in range(len(parts))]
     known, later = followed.logs(every, cut, starts)
     if validation is not None:
-        unseen = read_log(validation, file.drive, columns or {}, "validation")
+        unseen = read_log(validation, file.drive, columns, "validation")
         later += [followed.unseen(part, sizes) for part in sections(unseen, period)]
     return Identification(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),
@@ -198,7 +199,8 @@ class _Followed:
 def _length(piece: float | None, file: CraneFile, sizes: Sizes) -> float:
     """The greatest length of a piece [s]."""
     if piece is not None:
-        if not finite_number("piece", piece) > 0.0:
+        piece = finite_number("piece", piece)
+        if not piece > 0.0:
             raise InputError(f"piece must be positive, got {piece} s")
         return piece
     return PIECE * sizes.period if file.drive == "force" else np.inf
@@ -206,8 +208,10 @@ def _length(piece: float | None, file: CraneFile, sizes: Sizes) -> float:
 
 def _pieces(log: Log, length: float) -> list[Log]:
     """Pieces of equal length, of enough rows each."""
-    most = log.times.size // FEWEST
-    count = int(np.clip(np.ceil((log.times[-1] - log.times[0]) / length), 1, max(1, most)))
+    most = max(1, log.times.size // FEWEST)
+    span = float(log.times[-1] - log.times[0])
+    # also where the quotient is beyond all numbers
+    count = most if span >= most * length else max(1, ceil(span / length))
     ends = np.linspace(0, log.times.size, count + 1).round().astype(int)
     return [log.rows(*pair) for pair in pairwise(ends.tolist())]
 
@@ -216,32 +220,6 @@ def _to_end(log: Log, pieces: Sequence[Log]) -> list[Log]:
     """The pieces, the last one with all that follows."""
     first = sum(part.times.size for part in pieces[:-1])
     return [*pieces[:-1], log.rows(first, log.times.size)]
-
-
-def _crane(source: str | Path | Mapping[str, Any]) -> tuple[CraneFile, Path | None]:
-    path = None if isinstance(source, Mapping) else Path(source)
-    where = str(path or "crane")
-    data = plain(source) if path is None else read(path)
-    require_kind("crane", data, where)
-    file = checked(CraneFile, data, where)
-    check(file, where)
-    if key := model_of(file).key:
-        raise InputError(
-            f"{where}: {key}: a log is told by the model of a load on its rope; measure with the "
-            f"load alone on it, and take [{key}] out of the crane file meanwhile"
-        )
-    return file, path
-
-
-def _logs(
-    logs: LogSource | Sequence[LogSource], file: CraneFile, columns: Mapping[str, str]
-) -> list[Log]:
-    sources = [logs] if isinstance(logs, str | Path | Mapping) else list(logs)
-    if not sources:
-        raise InputError("no logs; name at least one")
-    return [
-        read_log(source, file.drive, columns, f"log {i}") for i, source in enumerate(sources, 1)
-    ]
 
 
 def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:

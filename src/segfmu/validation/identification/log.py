@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, numbers
+from segfmu.arrays import FloatArray, numbers, shown
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
 from segfmu.validation.files.keys import DRIVES
@@ -85,6 +85,8 @@ def read_log(
     InputError
         If the table lacks what is needed, or has something else than numbers.
     """
+    if not isinstance(source, str | Path | Mapping):
+        raise InputError(f"{name} must be a file or a dict of columns, got {shown(source)}")
     if isinstance(source, Mapping):
         table = {str(n): numbers(str(n), values) for n, values in source.items()}
         _require_times(table, name)
@@ -169,7 +171,9 @@ def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
     if "time" not in table:
         raise InputError(f"{name}: no column time")
     for own, values in table.items():
-        if values.ndim != 1 or values.shape != table["time"].shape:
+        if values.ndim != 1:
+            raise InputError(f"{name}: {own} must be a list of numbers")
+        if values.shape != table["time"].shape:
             raise InputError(f"{name}: {own} must have as many numbers as time")
     require_increasing(table["time"], name)
 

@@ -1,0 +1,44 @@
+"""Arguments of `identify` that are none: one line with the name, before anything is fitted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import segfmu
+from segfmu.errors import InputError
+
+CRANE = {"bridge_mass": 1.0, "trolley_mass": 1.0, "payload_mass": 1.0, "drive": "velocity"}
+LOG = {
+    "time": 0.1 * np.arange(50), "velocity.bridge": np.full(50, 0.1),
+    "measured.bridge.position": 0.01 * np.arange(50), "measured.rope.length": np.ones(50),
+}
+
+
+@pytest.mark.parametrize(("name", "wrong", "words"), [
+    ("crane", [None, 5, [CRANE]], "crane must be a file or a dict, got"),
+    ("logs", [None, 5], "logs must be a sequence, got"),
+    ("logs", [[5], [None]], "log 1 must be a file or a dict of columns, got"),
+    ("logs", [{**LOG, "time": 0.0}], "log 1: time must be a list of numbers"),
+    ("fit", [5], "fit must be a sequence, got 5"),
+    ("fit", ["bridge.lag", [5], [["bridge.lag"]]], "fit must be a sequence of names, got"),
+    ("columns", [5, "time", ["time"]], "columns must be a mapping from names, got"),
+    ("columns", [{"time": 5}, {5: "time"}], "columns must be a sequence of names, got"),
+    ("validation", [5, [LOG]], "validation must be a file or a dict of columns, got"),
+    ("tube", ["1", None, [], {}, True], "tube must be one number, got"),
+    ("tube", [-1.0], "tube must be at least 0, got -1.0"),
+    ("held_out", [None, "1"], "held_out must be one number, got"),
+    ("piece", ["1", [1.0, 2.0]], "piece must be one number, got"),
+])
+def test_what_is_none(name: str, wrong: list[Any], words: str) -> None:
+    for value in wrong:
+        given = {"logs": LOG, "crane": CRANE, "fit": ["bridge.lag"], name: value}
+        with pytest.raises(InputError, match=words):
+            segfmu.identify(**given)
+
+
+def test_pieces_of_next_to_no_length_are_the_shortest_that_can_be() -> None:
+    found = segfmu.identify(LOG, CRANE, fit=["bridge.lag"], piece=[5e-324], held_out=[0.0])
+    assert found.fitted[0].columns["time"].size == 50
