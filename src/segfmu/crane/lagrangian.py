@@ -86,10 +86,10 @@ def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
         sp.sin(phi_x): sp.Rational(3, 5), sp.cos(phi_x): sp.Rational(4, 5),
         sp.sin(phi_y): sp.Rational(-5, 13), sp.cos(phi_y): sp.Rational(12, 13),
     }
-    rest = residual(s, acceleration).subs(angles)
+    rest = residual(s, acceleration).xreplace(angles)
     names = sorted(rest.free_symbols, key=str)
     point = {name: sp.Rational(sp.prime(i + 4), 7) for i, name in enumerate(names)}
-    return all(value.subs(point) == 0 for value in rest)
+    return all(value.xreplace(point) == 0 for value in rest)
 
 
 def _suspension(s: Symbols) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:

@@ -33,7 +33,7 @@ def built(request, tmp_path_factory) -> Path:
         model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)
         patch.setitem(models._registered, MODEL, model)
         # its speed is of no interest here
-        faster = tuple("-O1" if o == "-O3" else o for o in compilers.OPTIONS)
+        faster = tuple("-O0" if o == "-O3" else o for o in compilers.OPTIONS)
         patch.setattr(compilers, "OPTIONS", faster)
         folder = tmp_path_factory.mktemp("further")
         return build_all([further()], folder, fmi=request.param)[0]

@@ -90,10 +90,11 @@ def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
     for angle, (opposite, adjacent, long) in zip(s.q[3:, :], triples, strict=True):
         angles[sp.sin(angle)] = sp.Rational(opposite, long)
         angles[sp.cos(angle)] = sp.Rational(adjacent, long)
-    rest = residual(s, acceleration).subs(angles)
+    # at once: subs would take the names one after the other
+    rest = residual(s, acceleration).xreplace(angles)
     names = sorted(rest.free_symbols, key=str)
     point = {name: sp.Rational(sp.prime(i + 4), 7) for i, name in enumerate(names)}
-    return all(value.subs(point) == 0 for value in rest)
+    return all(value.xreplace(point) == 0 for value in rest)
 
 
 @dataclass(frozen=True)
