@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from contextlib import chdir, redirect_stderr, redirect_stdout
-from io import StringIO
 from pathlib import Path
 
 import pytest
 
-from segfmu import InputError, cli, load_mission
+from segfmu import InputError, load_mission
 from segfmu.validation.files.scenario_file import load_scenario
+from tests.command import called as segfmu
 
 CRANE = "bridge_mass = 2.2\ntrolley_mass = 1.155\npayload_mass = 1.0\n"
 LIMITS = "".join(
@@ -26,18 +25,6 @@ GOOD = 'crane = "crane.toml"\n' + LIMITS + POINTS
 
 
 COMMAND = Path(sys.executable).with_name("segfmu")
-
-
-def segfmu(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    """What the command does in this process, where it needs no imports."""
-    said, complained = StringIO(), StringIO()
-    with pytest.MonkeyPatch.context() as patch, chdir(cwd):
-        patch.setattr(sys, "argv", ["segfmu", *words])
-        # what the usage is told of is then the first word of these
-        patch.setattr(sys.modules["__main__"], "__package__", None)
-        with redirect_stdout(said), redirect_stderr(complained):
-            code = cli.run()
-    return subprocess.CompletedProcess(words, code, said.getvalue(), complained.getvalue())
 
 
 def refused(cwd: Path, *words: str) -> str:

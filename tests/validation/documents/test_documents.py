@@ -18,6 +18,7 @@ import segfmu
 from segfmu.validation.documents.document import Value, refusal, text
 from segfmu.validation.documents.schema import DOCUMENTS, document_schema
 from segfmu.validation.documents.suite import Judged
+from tests.command import called
 from tests.compiler import needs_native
 from tests.tables import columns
 
@@ -30,10 +31,7 @@ CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005
 
 def printed(folder: Path, *words: str) -> tuple[int, dict[str, Any], str]:
     """Exit code, document and standard error of a command with --json."""
-    done = subprocess.run(
-        [sys.executable, "-m", "segfmu", *words, "--json"], cwd=folder, capture_output=True,
-        text=True, timeout=300, check=False,
-    )
+    done = called(*words, "--json", cwd=folder)
     document = json.loads(done.stdout, parse_constant=pytest.fail)
     judge(words[0], document)
     return done.returncode, document, done.stderr
@@ -52,14 +50,12 @@ def objects(document: Any) -> list[dict[str, Any]]:
     return [document, *objects(list(document.values()))]
 
 
-@pytest.mark.parametrize("command", DOCUMENTS)
-def test_schemas_are_printed(command: str, tmp_path: Path) -> None:
-    done = subprocess.run(
-        [sys.executable, "-m", "segfmu", "schema", command], cwd=tmp_path, capture_output=True,
-        text=True, timeout=60, check=True,
-    )
+@pytest.mark.parametrize("kind", DOCUMENTS)
+def test_schemas_are_printed(kind: str, tmp_path: Path) -> None:
+    done = called("schema", kind, cwd=tmp_path)
+    assert done.returncode == 0
     found = json.loads(done.stdout)
-    assert found == document_schema(command)
+    assert found == document_schema(kind)
     jsonschema.Draft202012Validator.check_schema(found)
 
 
@@ -148,7 +144,6 @@ def test_a_failed_verdict_is_a_result(tmp_path: Path) -> None:
         (("plan", "fast.toml", "--colour"), 2, "input"),
         (("validate",), 2, "input"),
         (("validate", "nowhere.toml", "-o", "taken"), 2, "input"),
-        (("validate", "\udcff.toml"), 2, "input"),
     ],
 )
 def test_refusals_are_documents(
@@ -166,6 +161,17 @@ def test_refusals_are_documents(
     assert found == code
     assert document["error"]["kind"] == kind
     assert error == f"segfmu: {document['error']['message']}\n"
+
+
+def test_a_name_that_no_encoding_has_is_in_both(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "segfmu", "validate", "\udcff.toml", "--json"], cwd=tmp_path,
+        capture_output=True, text=True, timeout=60, check=False,
+    )
+    assert done.returncode == 2
+    document = json.loads(done.stdout)
+    judge("validate", document)
+    assert done.stderr == f"segfmu: {document['error']['message']}\n"
 
 
 def test_the_numbers_of_a_refusal_are_those_of_the_exception() -> None:

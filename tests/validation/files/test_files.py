@@ -19,18 +19,12 @@ from segfmu.validation.files.keys import entries
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.schema import file_schema
+from tests.command import called as segfmu
 from tests.validation.files.test_crane_file import EVERYTHING
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "mission-reference.md"
 FILES = sorted(ROOT.glob("models/*.toml")) + sorted(ROOT.glob("src/segfmu/validation/*/*.toml"))
-
-
-def segfmu(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [Path(sys.executable).with_name("segfmu"), *words], capture_output=True, text=True,
-        cwd=cwd, timeout=300,
-    )
 
 
 def test_reference_page_is_that_of_the_models() -> None:
