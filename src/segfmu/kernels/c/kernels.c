@@ -14452,7 +14452,7 @@ SPAN_INLINE int64_t segfmu_ramp_duration(double* result_0, double* result_1, dou
         (*result_1) = 0.5 / change * duration;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) == 0.0)
     {
         slowest_root(result_0, result_1, change, axis);
         return 0;
@@ -14483,7 +14483,7 @@ static SPAN_INLINE int64_t ramp_change(double* result_0, double* result_1, doubl
         (*result_1) = 2.0 * slope;
         return 0;
     }
-    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) == 0.0)
     {
         fastest_power(result_0, result_1, duration, axis);
         return 0;
@@ -14521,7 +14521,7 @@ static SPAN_INLINE double ramp_variance(double basis, array_double_1d axis)
     double box;
     double fourth;
     double variance;
-    if (((*cspan_at(&axis, INT64_C(16))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) > 0.5))
+    if (((*cspan_at(&axis, INT64_C(16))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) != 0.0))
     {
         rise = (*cspan_at(&axis, INT64_C(21)));
         if ((basis >= 2.0 * rise) && ((*cspan_at(&axis, INT64_C(26))) == 0.0))
@@ -14569,7 +14569,7 @@ static int64_t rise_pieces(int64_t boxes)
 int64_t segfmu_ramp_pieces(array_double_1d axis)
 {
     int64_t result;
-    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) == 0.0)
     {
         return INT64_C(1);
     }
@@ -17514,7 +17514,7 @@ static bool plateau_parameters(double share, array_double_1d axis)
             {
                 (*cspan_at(&axis, INT64_C(26) + level)) = span_max(share, usual_share(axis));
             }
-            if ((level + (*cspan_at(&axis, INT64_C(11))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(11))) > 1.5))
+            if ((level + (*cspan_at(&axis, INT64_C(11))) == 2.0) && (last + (*cspan_at(&axis, INT64_C(11))) >= 2.0))
             {
                 (*cspan_at(&axis, INT64_C(26) + level)) = steeper_above() * share;
             }
@@ -18067,7 +18067,7 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
     t2 = basis * (*cspan_at(&family, INT64_C(32)));
     basis = basis + (*cspan_at(&family, INT64_C(33))) * (t2 - basis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
         (*result_1) = 0.0;
@@ -18244,7 +18244,7 @@ static double extreme_gain(double a, double b, double duration, double basis, ar
     double smaller;
     double slowness;
     smaller = span_min(fabs(a), fabs(b));
-    if ((*cspan_at(&axis, INT64_C(14))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) == 0.0)
     {
         return 0.5 * smaller * duration;
     }
@@ -18394,7 +18394,7 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
         start = v + 0.5 * (a + b) * duration;
         first = -b;
     }
-    if ((*cspan_at(&axis, INT64_C(14))) > 0.5)
+    if ((*cspan_at(&axis, INT64_C(14))) != 0.0)
     {
         result = plateau_extreme_velocity(start, first, change, duration, basis, axis);
         return result;
@@ -18723,7 +18723,7 @@ static bool is_passing(array_double_2d phases, int64_t count, array_double_1d ax
     {
         if ((*cspan_at(&phases, i, INT64_C(3))) != 0.0)
         {
-            if (((*cspan_at(&phases, i, INT64_C(4))) < 0.5) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(38)))))
+            if (((*cspan_at(&phases, i, INT64_C(4))) == 0.0) || ((*cspan_at(&phases, i, INT64_C(4))) != (*cspan_at(&axis, INT64_C(38)))))
             {
                 return 0;
             }
@@ -18739,7 +18739,7 @@ static bool has_dip(array_double_2d phases, int64_t count)
     {
         return 0;
     }
-    result = ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) > 0.5) || ((*cspan_at(&phases, count - INT64_C(1), INT64_C(4))) > 0.5);
+    result = ((*cspan_at(&phases, INT64_C(0), INT64_C(4))) != 0.0) || ((*cspan_at(&phases, count - INT64_C(1), INT64_C(4))) != 0.0);
     return result;
 }
 static void stretch_phases(array_double_2d phases, int64_t count, double factor)
@@ -19243,7 +19243,7 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         stretch = 1.0 - error / (mean * fastest);
     }
-    else if (((*cspan_at(&family, INT64_C(15))) > 0.5) && (radius == 0.0) && (error == 0.0))
+    else if (((*cspan_at(&family, INT64_C(15))) != 0.0) && (radius == 0.0) && (error == 0.0))
     {
         stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
     }
@@ -19281,7 +19281,7 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     double duration;
     double y;
     canonical_member(&duration, &y, p, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         (*result_0_0001) = duration;
         (*result_1) = duration;
@@ -19315,7 +19315,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     before = lower;
     e_before = e_other;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         speed = 0.0;
     }
@@ -19671,7 +19671,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
     lower = -1.0;
     f_lower = 0.0;
     whole = (*cspan_at(&family, INT64_C(6))) == (*cspan_at(&family, INT64_C(4)));
-    if (whole && ((*cspan_at(&family, INT64_C(17))) > 0.5))
+    if (whole && ((int64_t)((*cspan_at(&family, INT64_C(17)))) > INT64_C(0)))
     {
         passed = (int64_t)((*cspan_at(&family, INT64_C(17))));
         begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
@@ -19816,7 +19816,7 @@ static bool same_members(int64_t branch, array_double_1d problem, array_double_1
 {
     double a;
     double b;
-    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) > 0.5))
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) != 0.0))
     {
         return 0;
     }
@@ -19856,11 +19856,11 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     }
     count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(29))));
     count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(31))), axis);
-    if ((*cspan_at(&family, INT64_C(13))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(13))) != 0.0)
     {
         reverse_phases(phases, INT64_C(0), count);
     }
-    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(14))) != 0.0)
     {
         mirror_phases(phases, count);
     }
@@ -19926,7 +19926,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double excess;
     peak_limit = (*cspan_at(&axis, INT64_C(2)));
     other_limit = (*cspan_at(&axis, INT64_C(9)));
-    if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(14))) != 0.0)
     {
         peak_limit = (*cspan_at(&axis, INT64_C(9)));
         other_limit = (*cspan_at(&axis, INT64_C(2)));
@@ -19942,7 +19942,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
         peak = highest;
         other = -lowest;
-        if ((*cspan_at(&family, INT64_C(14))) > 0.5)
+        if ((*cspan_at(&family, INT64_C(14))) != 0.0)
         {
             peak = -lowest;
             other = highest;
@@ -20517,7 +20517,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         }
     }
     member_distance(&duration, &y, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) > 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         error = duration - (*cspan_at(&family, INT64_C(16)));
         if (fabs(error) <= 1e-15 * duration)
@@ -20605,7 +20605,7 @@ static int64_t scanned_excess(double* result_0, double* result_1, int64_t arc, d
         return 0;
     }
     small = 0.02 * duration;
-    if ((*cspan_at(&family, INT64_C(15))) < 0.5)
+    if ((*cspan_at(&family, INT64_C(15))) == 0.0)
     {
         speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
         small = small * speed;
@@ -21414,7 +21414,7 @@ static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, a
 static bool stays_at_limit(array_double_1d node)
 {
     bool result;
-    if (((*cspan_at(&node, INT64_C(4))) < 0.5) || ((*cspan_at(&node, INT64_C(9))) != 0.0))
+    if (((*cspan_at(&node, INT64_C(4))) == 0.0) || ((*cspan_at(&node, INT64_C(9))) != 0.0))
     {
         return 0;
     }
@@ -21444,7 +21444,7 @@ static int64_t first_row(int64_t node, array_double_1d passing, array_double_2d 
     row = INT64_C(0);
     for (i = INT64_C(0); i < node; i += INT64_C(1))
     {
-        if ((*cspan_at(&nodes, i, INT64_C(4))) > 0.5)
+        if ((*cspan_at(&nodes, i, INT64_C(4))) != 0.0)
         {
             row = row + q - (int64_t)((*cspan_at(&nodes, i, INT64_C(4))));
         }
@@ -22640,7 +22640,7 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     (*cspan_at(&work, INT64_C(200), INT64_C(4))) = (*cspan_at(&work, INT64_C(200), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
-        if (((*cspan_at(&passing, INT64_C(14))) > 0.5) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
+        if (((*cspan_at(&passing, INT64_C(14))) != 0.0) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
         {
             whole_column(j, count, problem, axis, work);
         }
@@ -22694,7 +22694,7 @@ static double longest_step(array_double_2d work)
             return 0.0;
         }
         most = 0.5 * (*cspan_at(&passing, INT64_C(3)));
-        if ((*cspan_at(&nodes, i, INT64_C(4))) < 0.5)
+        if ((*cspan_at(&nodes, i, INT64_C(4))) == 0.0)
         {
             most = 0.7 * fabs(time);
             if (change * time >= 0.0)
@@ -22775,7 +22775,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     }
     run_sequence(problem, passing, axis, nodes, residual);
     error = residual_norm(count, residual);
-    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(13))) > 0.5);
+    quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(13))) != 0.0);
     earlier = error;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
@@ -22940,7 +22940,7 @@ static bool split_level(int64_t place, int64_t kind, double sign, int64_t guess,
     double depth;
     double after;
     row = INT64_C(102) + place;
-    if ((*cspan_at(&work, row, INT64_C(4))) > 0.5)
+    if ((*cspan_at(&work, row, INT64_C(4))) != 0.0)
     {
         return 0;
     }
@@ -22974,7 +22974,7 @@ static bool split_ramp(int64_t place, int64_t kind, double sign, bool touch, boo
             return 0;
         }
     }
-    if (((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    if (((*cspan_at(&work, first, INT64_C(4))) != 0.0) || ((*cspan_at(&work, last, INT64_C(4))) != 0.0))
     {
         return 0;
     }
@@ -23016,7 +23016,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
     count = (int64_t)((*cspan_at(&passing, INT64_C(0))));
     place = (int64_t)((*cspan_at(&excess, INT64_C(1))));
     sign = (*cspan_at(&excess, INT64_C(3)));
-    holding = (*cspan_at(&excess, INT64_C(2))) > 0.5;
+    holding = (*cspan_at(&excess, INT64_C(2))) != 0.0;
     if (count > INT64_C(12))
     {
         return 0;
@@ -23026,7 +23026,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
         if (!holding)
         {
             row = INT64_C(102) + place;
-            here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) < 0.5);
+            here = (place < count) && ((*cspan_at(&work, row, INT64_C(4))) == 0.0);
             if ((!here) || ((*cspan_at(&work, row, INT64_C(9))) * sign >= 0.0))
             {
                 place = place - INT64_C(1);
@@ -23046,7 +23046,7 @@ static bool insert_plateau(int64_t kind, bool touching, int64_t guess, array_dou
         return result;
     }
     row = INT64_C(102) + place;
-    if (holding || ((*cspan_at(&work, row, INT64_C(4))) > 0.5) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) > 0.5))
+    if (holding || ((*cspan_at(&work, row, INT64_C(4))) != 0.0) || ((*cspan_at(&work, row - INT64_C(1), INT64_C(4))) != 0.0))
     {
         return 0;
     }
@@ -23067,7 +23067,7 @@ static bool rotate_levels(array_double_2d work)
     first = INT64_C(102);
     last = INT64_C(102) + count - INT64_C(1);
     tiny = 0.03 * (*cspan_at(&passing, INT64_C(3)));
-    if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) > 0.5) || ((*cspan_at(&work, last, INT64_C(4))) > 0.5))
+    if ((count < INT64_C(2)) || ((*cspan_at(&work, first, INT64_C(4))) != 0.0) || ((*cspan_at(&work, last, INT64_C(4))) != 0.0))
     {
         return 0;
     }
@@ -23300,7 +23300,7 @@ static bool insert_level(int64_t variant, int64_t order, array_double_1d problem
         return 0;
     }
     row = INT64_C(102) + beside;
-    if (((int64_t)((*cspan_at(&passing, INT64_C(14)))) > INT64_C(2)) || ((*cspan_at(&work, row, INT64_C(4))) > 0.5))
+    if (((int64_t)((*cspan_at(&passing, INT64_C(14)))) > INT64_C(2)) || ((*cspan_at(&work, row, INT64_C(4))) != 0.0))
     {
         return 0;
     }
@@ -23359,7 +23359,7 @@ static bool insert_instant(int64_t order, array_double_1d problem, array_double_
     double least;
     int64_t variant;
     double cost;
-    if (((*cspan_at(&work, INT64_C(200), INT64_C(6))) > 0.5) && move_instant(order, problem, axis, work))
+    if (((*cspan_at(&work, INT64_C(200), INT64_C(6))) != 0.0) && move_instant(order, problem, axis, work))
     {
         return 1;
     }
@@ -23544,7 +23544,7 @@ static int64_t vanishing_end(array_double_2d work)
     for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
     {
         row = INT64_C(102) + side * last;
-        if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
+        if (((*cspan_at(&work, row, INT64_C(4))) == 0.0) && (fabs((*cspan_at(&work, row, INT64_C(6)))) < least))
         {
             found = side * last;
             least = fabs((*cspan_at(&work, row, INT64_C(6)))) / 1.000001;
@@ -23610,7 +23610,7 @@ static void append_level(double sign, double time, array_double_2d work)
     if (count > INT64_C(0))
     {
         row = INT64_C(102) + count - INT64_C(1);
-        if (((*cspan_at(&work, row, INT64_C(4))) < 0.5) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
+        if (((*cspan_at(&work, row, INT64_C(4))) == 0.0) && ((*cspan_at(&work, row, INT64_C(5))) == sign))
         {
             last = (*cspan_at(&work, row, INT64_C(6)));
             (*cspan_at(&work, row, INT64_C(6))) = sqrt(last * last + time * time);
@@ -23776,7 +23776,7 @@ static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases,
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
         row = INT64_C(102) + i;
-        if ((*cspan_at(&work, row, INT64_C(4))) < 0.5)
+        if ((*cspan_at(&work, row, INT64_C(4))) == 0.0)
         {
             (*cspan_at(&work, row, INT64_C(6))) = factor * (*cspan_at(&work, row, INT64_C(6)));
             if (attempt >= INT64_C(3))
@@ -23825,7 +23825,7 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
 static bool is_brief(array_double_1d axis)
 {
     bool result;
-    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(12))) < 0.5);
+    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(12))) == 0.0);
     return result;
 }
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -24023,11 +24023,13 @@ static void flush_levels(array_double_1d problem, array_double_1d axis, array_do
     array_double_1d passing;
     array_double_2d nodes;
     int64_t i;
+    bool short_0001;
     passing = span_row(&work, INT64_C(101));
     nodes = span_rows(&work, INT64_C(102), INT64_C(120));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&passing, INT64_C(0)))); i += INT64_C(1))
     {
-        if (((*cspan_at(&nodes, i, INT64_C(4))) < 0.5) && (fabs((*cspan_at(&nodes, i, INT64_C(6)))) < 1e-13 * (*cspan_at(&passing, INT64_C(3)))))
+        short_0001 = fabs((*cspan_at(&nodes, i, INT64_C(6)))) < 1e-13 * (*cspan_at(&passing, INT64_C(3)));
+        if (short_0001 && ((*cspan_at(&nodes, i, INT64_C(4))) == 0.0))
         {
             (*cspan_at(&nodes, i, INT64_C(6))) = 0.0;
         }
@@ -24106,7 +24108,7 @@ static int64_t write_sequence(array_double_2d phases, array_double_1d problem, a
         {
             held = level;
             order = above;
-            if (((*cspan_at(&work, row, INT64_C(4))) > 0.5) && (level == 0.0))
+            if (((*cspan_at(&work, row, INT64_C(4))) != 0.0) && (level == 0.0))
             {
                 order = span_max((*cspan_at(&work, row, INT64_C(4))) - 2.0, 0.0);
                 held = 0.0;
@@ -24164,7 +24166,7 @@ static int64_t usual_ways(array_double_1d axis, array_double_2d work)
     {
         return INT64_C(2);
     }
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(12))) < 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(12))) == 0.0)
     {
         return INT64_C(4);
     }
@@ -24216,10 +24218,10 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
         return INT64_C(0);
     }
     used = INT64_C(0);
-    if (((*cspan_at(&passing, INT64_C(12))) < 0.5) && shorter_solution(problem, axis, work))
+    if (((*cspan_at(&passing, INT64_C(12))) == 0.0) && shorter_solution(problem, axis, work))
     {
         shortest_way(&used, &shortest, ways, shortest, longest, phases, problem, axis, work);
-        if ((*cspan_at(&passing, INT64_C(11))) > 0.5)
+        if ((*cspan_at(&passing, INT64_C(11))) != 0.0)
         {
             return used;
         }
@@ -24284,7 +24286,7 @@ static int64_t timed_passing(array_double_2d phases, array_double_1d problem, ar
         return INT64_C(0);
     }
     ways = INT64_C(1);
-    if ((*cspan_at(&work, INT64_C(101), INT64_C(14))) > 0.5)
+    if ((*cspan_at(&work, INT64_C(101), INT64_C(14))) != 0.0)
     {
         ways = INT64_C(2);
     }
@@ -24306,8 +24308,8 @@ static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1
     {
         return INT64_C(0);
     }
-    backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) > 0.5;
-    mirrored = (*cspan_at(&work, INT64_C(101), INT64_C(8))) > 0.5;
+    backwards = (*cspan_at(&work, INT64_C(101), INT64_C(7))) != 0.0;
+    mirrored = (*cspan_at(&work, INT64_C(101), INT64_C(8))) != 0.0;
     if (backwards)
     {
         reverse_search(problem, axis);
@@ -24581,7 +24583,7 @@ static int64_t passing_either_way(int64_t count, array_double_2d phases, array_d
     result = count;
     if (forwards > INT64_C(0))
     {
-        if ((settled > 0.5) && ramps_suffice(axis))
+        if ((settled != 0.0) && ramps_suffice(axis))
         {
             return forwards;
         }
@@ -25105,7 +25107,7 @@ static double early_window(double duration, array_double_1d problem, array_doubl
     last = 0.0;
     late = 0.0;
     early = 0.0;
-    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(15))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) > 0.5))
+    if ((jerk > 0.0) && ((*cspan_at(&axis, INT64_C(15))) > 0.0) && ((*cspan_at(&axis, INT64_C(14))) != 0.0))
     {
         first = 0.5 * a * a / jerk;
         last = 0.5 * b * b / jerk;
@@ -25243,10 +25245,10 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     if (status > INT64_C(0))
     {
         settled = 0;
-        if ((*cspan_at(&axis, INT64_C(38))) > 0.5)
+        if ((*cspan_at(&axis, INT64_C(38))) != 0.0)
         {
             status = passing_either_way(status, phases, asked, axis, work);
-            settled = ((*cspan_at(&work, INT64_C(101), INT64_C(11))) > 0.5) && ramps_suffice(axis);
+            settled = ((*cspan_at(&work, INT64_C(101), INT64_C(11))) != 0.0) && ramps_suffice(axis);
         }
         longest = total_duration(phases, status);
         settled = settled && (longest <= 1.1 * free);
@@ -25279,7 +25281,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     {
         return status;
     }
-    if (((*cspan_at(&axis, INT64_C(38))) > 0.5) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
+    if (((*cspan_at(&axis, INT64_C(38))) != 0.0) && ((status < INT64_C(0)) || (total_duration(phases, count) < longest)))
     {
         result = passing_either_way(count, phases, asked, axis, work);
         return result;
@@ -25294,7 +25296,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     int64_t status;
     free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
     status = usual_braked(asked, axis, phases, work);
-    if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(38))) < 0.5))
+    if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(38))) == 0.0))
     {
         return status;
     }
@@ -25309,7 +25311,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         status = shorter_dipped(status, phases, asked, axis, work);
     }
-    if (((*cspan_at(&axis, INT64_C(12))) > 0.5) && (total_duration(phases, status) > far))
+    if (((*cspan_at(&axis, INT64_C(12))) != 0.0) && (total_duration(phases, status) > far))
     {
         status = touching_form(status, phases, asked, axis, work);
     }
@@ -25339,7 +25341,7 @@ static bool may_last_longer(array_double_1d problem, array_double_1d axis)
     double fastest;
     bool result;
     fastest = span_max(fabs((*cspan_at(&problem, INT64_C(0)))), fabs((*cspan_at(&problem, INT64_C(2)))));
-    result = ((*cspan_at(&axis, INT64_C(14))) < 0.5) || (fastest > slowest_velocity(axis));
+    result = ((*cspan_at(&axis, INT64_C(14))) == 0.0) || (fastest > slowest_velocity(axis));
     return result;
 }
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -25364,7 +25366,7 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     {
         free = (*cspan_at(&family, INT64_C(19)));
         count = shortest_braked(asked, axis, phases, work);
-        if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) < 0.5)
+        if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) == 0.0)
         {
             missed = span_max_int(missed, INT64_C(1));
         }
@@ -25385,12 +25387,12 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
                 missed = INT64_C(2);
             }
         }
-        if (((*cspan_at(&axis, INT64_C(38))) > 0.5) && (!ramps_suffice(axis)))
+        if (((*cspan_at(&axis, INT64_C(38))) != 0.0) && (!ramps_suffice(axis)))
         {
             count = passing_either_way(count, phases, asked, axis, work);
         }
     }
-    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14))) < 0.5))
+    if ((count > INT64_C(0)) && ((*cspan_at(&axis, INT64_C(14))) == 0.0))
     {
         count = shorter_cruise(count, phases, asked, axis, span_rows(&work, INT64_C(0), INT64_C(21)));
     }
@@ -26997,7 +26999,7 @@ static void follow_profile(int64_t order, int64_t stage, array_double_1d limits,
     first = span_row(&lead, INT64_C(20));
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        if ((*cspan_at(&first, INT64_C(4))) > 0.5)
+        if ((*cspan_at(&first, INT64_C(4))) != 0.0)
         {
             break;
         }
@@ -27457,7 +27459,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     bool result;
     (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = -1.0;
     (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = 0.0;
-    brakes = (*cspan_at(&lead, INT64_C(17), INT64_C(3))) > 0.5;
+    brakes = (*cspan_at(&lead, INT64_C(17), INT64_C(3))) != 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
@@ -27512,7 +27514,7 @@ static int64_t latest_axis(array_double_2d ends)
     longest = -1.0;
     for (axis = INT64_C(0); axis < ends.shape[INT64_C(0)]; axis += INT64_C(1))
     {
-        if (((*cspan_at(&ends, axis, INT64_C(6))) < 0.5) && ((*cspan_at(&ends, axis, INT64_C(4))) > longest))
+        if (((*cspan_at(&ends, axis, INT64_C(6))) == 0.0) && ((*cspan_at(&ends, axis, INT64_C(4))) > longest))
         {
             latest = axis;
             longest = (*cspan_at(&ends, axis, INT64_C(4)));
@@ -28819,17 +28821,17 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     array_double_1d problem;
     array_double_2d phases;
     int64_t count;
-    if ((*cspan_at(&axis, INT64_C(38))) < 0.5)
+    if ((*cspan_at(&axis, INT64_C(38))) == 0.0)
     {
         return -1.0;
     }
     problem = span_row(&work, INT64_C(59));
     phases = span_rows(&cell, INT64_C(0), INT64_C(33));
     count = INT64_C(0);
-    if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) > 0.5)
+    if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) != 0.0)
     {
         count = slowed_shortest(phases, problem, axis, work);
-        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) > 0.5))
+        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) != 0.0))
         {
             (*cspan_at(&axis, INT64_C(12))) = 0.0;
             count = slowed_shortest(phases, problem, axis, work);
@@ -28885,11 +28887,11 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
         return weight;
     }
     weight = timed_braked(axis, cell, work);
-    if (weight < -1.5)
+    if (weight == -2.0)
     {
         return -1.0;
     }
-    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(38))) > 0.5))
+    if ((weight < 0.0) && ((*cspan_at(&axis, INT64_C(38))) != 0.0))
     {
         weight = slower_passing(axis, cell, work);
         if (weight < 0.0)
@@ -29031,7 +29033,7 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
             duration = span_min(duration, most);
             if (set_duration(duration, cell, axis, work))
             {
-                if (((*cspan_at(&axis, INT64_C(14))) < 0.5) || (!ramps_suffice(axis)))
+                if (((*cspan_at(&axis, INT64_C(14))) == 0.0) || (!ramps_suffice(axis)))
                 {
                     duration = first_feasible(after, duration, cell, axis, work);
                 }
@@ -29313,7 +29315,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     share = usual_share(span_row(&axes, axis));
     status = plan_with_share(axis, share, axes, cells, work);
     missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20))));
-    if ((*cspan_at(&axes, axis, INT64_C(14))) < 0.5)
+    if ((*cspan_at(&axes, axis, INT64_C(14))) == 0.0)
     {
         return status;
     }
@@ -29325,7 +29327,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     {
         share = plan_steeper(missed, axis, axes, cells, work);
     }
-    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(21))) > 0.5))
+    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(21))) != 0.0))
     {
         plan_thoroughly(share, axis, axes, cells, work);
     }
@@ -29381,7 +29383,7 @@ static int64_t time_left(double* result_0, double* result_1, int64_t* result_2, 
     for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
     {
         rest = rest - (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
-        if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) > 0.5)
+        if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) != 0.0)
         {
             base = base + (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
             count = count + INT64_C(1);
@@ -29431,7 +29433,7 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
         }
         for (j = first; (step > 0) ? (j < cells.shape[INT64_C(0)]) : (j > cells.shape[INT64_C(0)]); j += step)
         {
-            if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) > 0.5)
+            if ((*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) != 0.0)
             {
                 present = (*cspan_at(&cells, j, INT64_C(67), INT64_C(1)));
                 end = j + last - first;
@@ -30517,7 +30519,7 @@ static double largest_node_share(bool bounded, array_double_1d path, array_doubl
         write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
         for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
         {
-            if (((*cspan_at(&grid, row, INT64_C(14))) > 0.5) || (!bounded))
+            if (((*cspan_at(&grid, row, INT64_C(14))) != 0.0) || (!bounded))
             {
                 largest = span_max(largest, fabs((*cspan_at(&grid, row, INT64_C(15)))));
             }
@@ -30582,7 +30584,7 @@ static double barrier_value(double theta, array_double_1d path, array_double_2d 
         axis = span_floor_mod(i, axes);
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
-            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) != 0.0)
             {
                 share = state_offset(span_matrix(&spots, i), INT64_C(5), field, span_row(&tracks, axis));
                 gathered(&total, &room, total, room * room_of(share));
@@ -30722,7 +30724,7 @@ static void add_link(int64_t i, int64_t other, int64_t axes, array_double_3d spo
     {
         row = end_row(i, place, axes);
         own = (*cspan_at(&links, i, INT64_C(8) + place, INT64_C(4)));
-        if ((*cspan_at(&spots, span_floor_div(row, INT64_C(2)), INT64_C(2), span_floor_mod(row, INT64_C(2)))) < 0.5)
+        if ((*cspan_at(&spots, span_floor_div(row, INT64_C(2)), INT64_C(2), span_floor_mod(row, INT64_C(2)))) == 0.0)
         {
             continue;
         }
@@ -30734,7 +30736,7 @@ static void add_link(int64_t i, int64_t other, int64_t axes, array_double_3d spo
         for (beside = INT64_C(0); beside < INT64_C(4); beside += INT64_C(1))
         {
             column = end_row(other, beside, axes);
-            if ((*cspan_at(&spots, span_floor_div(column, INT64_C(2)), INT64_C(2), span_floor_mod(column, INT64_C(2)))) < 0.5)
+            if ((*cspan_at(&spots, span_floor_div(column, INT64_C(2)), INT64_C(2), span_floor_mod(column, INT64_C(2)))) == 0.0)
             {
                 continue;
             }
@@ -30774,7 +30776,7 @@ static void write_band(array_double_1d path, array_double_2d tracks, array_doubl
         axis = span_floor_mod(place, axes);
         field = span_floor_mod(i, INT64_C(2));
         (*cspan_at(&band, i, INT64_C(0))) = 1.0;
-        if ((*cspan_at(&spots, place, INT64_C(2), field)) > 0.5)
+        if ((*cspan_at(&spots, place, INT64_C(2), field)) != 0.0)
         {
             share = state_offset(span_matrix(&spots, place), INT64_C(5), field, span_row(&tracks, axis));
             inner = (1.0 - share) * (1.0 + share);
@@ -30836,7 +30838,7 @@ static double write_steps(array_double_1d path, array_double_2d tracks, array_do
         {
             step = (*cspan_at(&band, i * INT64_C(2) + field, band.shape[INT64_C(1)] - INT64_C(1)));
             (*cspan_at(&spots, i, INT64_C(4), field)) = step;
-            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) != 0.0)
             {
                 share = state_offset(span_matrix(&spots, i), INT64_C(5), field, span_row(&tracks, axis));
                 promised = promised + 2.0 * share / ((1.0 - share) * (1.0 + share)) * step;
@@ -31172,7 +31174,7 @@ static bool admit_states(array_double_3d states, array_double_1d path, array_dou
         }
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
-            admitted = inner && ((*cspan_at(&spots, i, INT64_C(0), field)) > 0.5);
+            admitted = inner && ((*cspan_at(&spots, i, INT64_C(0), field)) != 0.0);
             if (field == INT64_C(0))
             {
                 admitted = admitted && (!turns);
@@ -31666,7 +31668,7 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
             {
                 for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
                 {
-                    if ((*cspan_at(&spots, spot, INT64_C(2), field)) > 0.5)
+                    if ((*cspan_at(&spots, spot, INT64_C(2), field)) != 0.0)
                     {
                         polish_state(spot, field, states, path, links, spans, axes, cells, timing, coefficients, work);
                     }
@@ -32043,7 +32045,7 @@ static void write_times(array_double_1d path, array_double_2d tracks, array_doub
                 write_node_shares(path, span_row(&tracks, axis), first + growth * k, link, grid, square);
                 for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
                 {
-                    if ((*cspan_at(&grid, row, INT64_C(14))) > 0.5)
+                    if ((*cspan_at(&grid, row, INT64_C(14))) != 0.0)
                     {
                         used = span_max(used, fabs((*cspan_at(&grid, row, INT64_C(15)))));
                     }
@@ -32273,7 +32275,7 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
         {
             state = (*cspan_at(&given, span_floor_div(i, count), span_floor_mod(i, count), INT64_C(1) + field));
             (*cspan_at(&spots, i, INT64_C(5), field)) = state / (*cspan_at(&tracks, span_floor_mod(i, count), INT64_C(50) + field));
-            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) != 0.0)
             {
                 (*cspan_at(&spots, i, INT64_C(5), field)) = 0.0;
                 (*cspan_at(&path, INT64_C(7))) = (*cspan_at(&path, INT64_C(7))) + 1.0;
@@ -32330,7 +32332,7 @@ static void write_tried(array_double_3d given, array_double_1d path, array_doubl
         }
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
-            if ((*cspan_at(&spots, i, INT64_C(2), field)) > 0.5)
+            if ((*cspan_at(&spots, i, INT64_C(2), field)) != 0.0)
             {
                 share = (*cspan_at(&spots, i, INT64_C(3), field));
                 digits = (int64_t)floor(65536.0 * fabs(share) + 0.5) / 65536.0;
@@ -32400,7 +32402,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     write_scales_of(smoothstep, given, path, axes, spots, links, spans);
     start = (*cspan_at(&path, INT64_C(9)));
     first = INT64_C(0);
-    if ((*cspan_at(&path, INT64_C(10))) > 0.5)
+    if ((*cspan_at(&path, INT64_C(10))) != 0.0)
     {
         first = INT64_C(2);
         start = gap_of(INT64_C(2));
@@ -32452,7 +32454,7 @@ static bool tighten_path(array_double_2d spans)
     any_slow = 0;
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
-        if ((*cspan_at(&spans, j, INT64_C(8))) > 0.5)
+        if ((*cspan_at(&spans, j, INT64_C(8))) != 0.0)
         {
             any_slow = 1;
             degree = (*cspan_at(&spans, j, INT64_C(5)));
@@ -32467,7 +32469,7 @@ static bool tighten_path(array_double_2d spans)
         {
             (*cspan_at(&spans, j, INT64_C(7))) = (*cspan_at(&spans, j, INT64_C(5)));
         }
-        retried = (*cspan_at(&spans, j, INT64_C(8))) > 0.5;
+        retried = (*cspan_at(&spans, j, INT64_C(8))) != 0.0;
         if (!any_slow)
         {
             retried = (failed >= 0.0) && ((*cspan_at(&spans, j, INT64_C(7))) - failed > 0.4);
@@ -32935,7 +32937,7 @@ static bool is_given(int64_t point, int64_t count, array_double_3d spots)
     {
         for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
         {
-            if ((*cspan_at(&spots, point * count + axis, INT64_C(0), field)) > 0.5)
+            if ((*cspan_at(&spots, point * count + axis, INT64_C(0), field)) != 0.0)
             {
                 return 0;
             }
@@ -33003,7 +33005,7 @@ static bool choose_fields(bool all_fields, array_double_3d spots)
     found = 0;
     for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        found = found || ((*cspan_at(&spots, i, INT64_C(1), INT64_C(1))) > 0.5);
+        found = found || ((*cspan_at(&spots, i, INT64_C(1), INT64_C(1))) != 0.0);
         (*cspan_at(&spots, i, INT64_C(2), INT64_C(1))) = 0.0;
         if (all_fields)
         {

@@ -77,7 +77,7 @@ def write_band(
         axis = place % axes
         field = i % Free.SIZE
         band[i, 0] = 1.0
-        if spots[place, Spot.CHOSEN, field] > 0.5:
+        if spots[place, Spot.CHOSEN, field] != 0.0:
             share = state_offset(spots[place, :, :], Spot.TRIAL, field, tracks[axis, :])
             inner = (1.0 - share) * (1.0 + share)
             band[i, 0] = 2.0 * (1.0 + share * share) / (inner * inner)
@@ -98,14 +98,14 @@ def add_link(
     for place in range(Solved.TIME):
         row = end_row(i, place, axes)
         own = links[i, Link.CURVE + place, Solved.TIME]
-        if spots[row // Free.SIZE, Spot.CHOSEN, row % Free.SIZE] < 0.5:
+        if spots[row // Free.SIZE, Spot.CHOSEN, row % Free.SIZE] == 0.0:
             continue
         if other == i:
             slope = links[i, Link.SLOPE, place] - own * pull / bend
             band[row, width] = band[row, width] - slope
         for beside in range(Solved.TIME):
             column = end_row(other, beside, axes)
-            if spots[column // Free.SIZE, Spot.CHOSEN, column % Free.SIZE] < 0.5:
+            if spots[column // Free.SIZE, Spot.CHOSEN, column % Free.SIZE] == 0.0:
                 continue
             if column <= row:
                 value = -own * links[other, Link.CURVE + beside, Solved.TIME] / bend
@@ -126,7 +126,7 @@ def write_steps(
         for field in range(Free.SIZE):
             step = band[i * Free.SIZE + field, band.shape[1] - 1]
             spots[i, Spot.STEP, field] = step
-            if spots[i, Spot.CHOSEN, field] > 0.5:
+            if spots[i, Spot.CHOSEN, field] != 0.0:
                 share = state_offset(spots[i, :, :], Spot.TRIAL, field, tracks[axis, :])
                 promised = promised + 2.0 * share / ((1.0 - share) * (1.0 + share)) * step
     write_variables(True, path, spots, links)

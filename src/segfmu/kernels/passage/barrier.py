@@ -97,7 +97,7 @@ def largest_node_share(
         time = spans[i // axes, Stretch.TRIAL]
         write_node_shares(path, tracks[axis, :], time, links[i, :, :], grid, square)
         for row in range(int(path[Path.ROWS])):
-            if grid[row, GridRow.ORDER] > 0.5 or not bounded:
+            if grid[row, GridRow.ORDER] != 0.0 or not bounded:
                 largest = max(largest, abs(grid[row, GridRow.SHARE]))
     return largest
 
@@ -137,7 +137,7 @@ def barrier_value(
     for i in range(spots.shape[0]):
         axis = i % axes
         for field in range(Free.SIZE):
-            if spots[i, Spot.CHOSEN, field] > 0.5:
+            if spots[i, Spot.CHOSEN, field] != 0.0:
                 share = state_offset(spots[i, :, :], Spot.TRIAL, field, tracks[axis, :])
                 total, room = gathered(total, room * room_of(share))
     for i in range(links.shape[0]):

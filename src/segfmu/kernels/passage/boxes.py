@@ -83,7 +83,7 @@ def admit_states(
                 turns = turns or here == low or here == high
                 fixed = fixed or low == high
         for field in range(Free.SIZE):
-            admitted = inner and spots[i, Spot.FREE, field] > 0.5
+            admitted = inner and spots[i, Spot.FREE, field] != 0.0
             if field == Free.VELOCITY:
                 admitted = admitted and not turns
             else:

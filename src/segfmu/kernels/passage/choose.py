@@ -146,7 +146,7 @@ def is_given(point: int, count: int, spots: 'float[:,:,:]') -> bool:
     """Whether no state of a place is free."""
     for axis in range(count):
         for field in range(Free.SIZE):
-            if spots[point * count + axis, Spot.FREE, field] > 0.5:
+            if spots[point * count + axis, Spot.FREE, field] != 0.0:
                 return False
     return True
 
@@ -260,7 +260,7 @@ def choose_fields(all_fields: bool, spots: 'float[:,:,:]') -> bool:
     """Choose all states that are admitted, or velocities alone; whether accelerations are."""
     found = False
     for i in range(spots.shape[0]):
-        found = found or spots[i, Spot.ADMITTED, Free.ACCELERATION] > 0.5
+        found = found or spots[i, Spot.ADMITTED, Free.ACCELERATION] != 0.0
         spots[i, Spot.CHOSEN, Free.ACCELERATION] = 0.0
         if all_fields:
             admitted = spots[i, Spot.ADMITTED, Free.ACCELERATION]

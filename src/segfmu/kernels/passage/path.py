@@ -225,7 +225,7 @@ def write_times(
                 link = links[j * axes + axis, :, :]
                 write_node_shares(path, tracks[axis, :], first + growth * k, link, grid, square)
                 for row in range(int(path[Path.ROWS])):
-                    if grid[row, GridRow.ORDER] > 0.5:
+                    if grid[row, GridRow.ORDER] != 0.0:
                         used = max(used, abs(grid[row, GridRow.SHARE]))
             if used < fits:
                 fits = used

@@ -178,7 +178,7 @@ def polish_states(
                 point = last - k
             for spot in range(point * count, (point + 1) * count):
                 for field in range(Free.SIZE):
-                    if spots[spot, Spot.CHOSEN, field] > 0.5:
+                    if spots[spot, Spot.CHOSEN, field] != 0.0:
                         polish_state(
                             spot, field, states, path, links, spans, axes, cells, timing,
                             coefficients, work,

@@ -119,7 +119,7 @@ def write_scales_of(
         for field in range(Free.SIZE):
             state = given[i // count, i % count, WaypointState.VELOCITY + field]
             spots[i, Spot.TRIAL, field] = state / tracks[i % count, Track.LIMIT + field]
-            if spots[i, Spot.CHOSEN, field] > 0.5:
+            if spots[i, Spot.CHOSEN, field] != 0.0:
                 spots[i, Spot.TRIAL, field] = 0.0
                 path[Path.TERMS] = path[Path.TERMS] + 1.0
     for i in range(links.shape[0]):
@@ -169,7 +169,7 @@ def write_tried(
         for k in range(WaypointState.SIZE):
             tried[point, axis, k] = given[point, axis, k]
         for field in range(Free.SIZE):
-            if spots[i, Spot.CHOSEN, field] > 0.5:
+            if spots[i, Spot.CHOSEN, field] != 0.0:
                 share = spots[i, Spot.SHARE, field]
                 digits = floor(DIGITS * abs(share) + 0.5) / DIGITS
                 if share < 0.0:
@@ -215,7 +215,7 @@ def try_path(
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
     start = path[Path.START]
     first = 0
-    if path[Path.FOLLOWED] > 0.5:
+    if path[Path.FOLLOWED] != 0.0:
         first = LAST_POINT
         start = gap_of(LAST_POINT)
         if not slow_path(path, axes, spots, links, spans, grid, square):
@@ -286,7 +286,7 @@ def tighten_path(spans: 'float[:,:]') -> bool:
     """
     any_slow = False
     for j in range(spans.shape[0]):
-        if spans[j, Stretch.SLOW] > 0.5:
+        if spans[j, Stretch.SLOW] != 0.0:
             any_slow = True
             degree = spans[j, Stretch.DEGREE]
             spans[j, Stretch.FAILED] = max(spans[j, Stretch.FAILED], degree)
@@ -295,7 +295,7 @@ def tighten_path(spans: 'float[:,:]') -> bool:
         failed = spans[j, Stretch.FAILED]
         if not any_slow:
             spans[j, Stretch.GOOD] = spans[j, Stretch.DEGREE]
-        retried = spans[j, Stretch.SLOW] > 0.5
+        retried = spans[j, Stretch.SLOW] != 0.0
         if not any_slow:
             retried = failed >= 0.0 and spans[j, Stretch.GOOD] - failed > TIGHT_ENOUGH
         if retried:

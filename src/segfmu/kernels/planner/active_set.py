@@ -76,7 +76,7 @@ def insert_level(
     if place < 0 or beside < 0 or beside >= count or count > MOST_NODES:
         return False
     row = PlanWork.NODES + beside
-    if int(passing[Passing.INSTANTS]) > 2 or work[row, Node.KIND] > 0.5:
+    if int(passing[Passing.INSTANTS]) > 2 or work[row, Node.KIND] != 0.0:
         return False
     sign = sign * work[row, Node.SIGN]
     insert_node(place, 0, sign, 0.5 * work[row, Node.TIME], False, work)
@@ -125,7 +125,7 @@ def insert_instant(
     Of the levels that can be inserted the best one is taken where they are compared, but for a
     slower pace; else the first one.
     """
-    if work[PlanWork.TIGHTEN, Tighten.MOVING] > 0.5 and move_instant(order, problem, axis, work):
+    if work[PlanWork.TIGHTEN, Tighten.MOVING] != 0.0 and move_instant(order, problem, axis, work):
         return True
     least = NEVER
     for variant in range(6):
@@ -246,7 +246,7 @@ def vanishing_end(work: 'float[:,:]') -> int:
     least = SHORT * passing[Passing.TIME]
     for side in range(2):
         row = PlanWork.NODES + side * last
-        if work[row, Node.KIND] < 0.5 and abs(work[row, Node.TIME]) < least:
+        if work[row, Node.KIND] == 0.0 and abs(work[row, Node.TIME]) < least:
             found = side * last
             least = abs(work[row, Node.TIME]) / TIE
     return found

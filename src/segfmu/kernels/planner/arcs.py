@@ -53,7 +53,7 @@ def loop_excess(
         if not slow_middle(side, largest * part * part, family, axis):
             return -1.0, 0.0
     duration, y = member_distance(family, axis)
-    if family[Family.BY_TIME] > 0.5:
+    if family[Family.BY_TIME] != 0.0:
         error = duration - family[Family.TARGET]
         if abs(error) <= LEAST_ERROR * duration:
             error = 0.0
@@ -116,7 +116,7 @@ def scanned_excess(
     if duration < 0.0 or (arc != LoopArc.LOOP and arc != LoopArc.FOLD):
         return duration, error
     small = NEAR * duration
-    if family[Family.BY_TIME] < 0.5:
+    if family[Family.BY_TIME] == 0.0:
         speed = abs(family[Family.V]) + abs(family[Family.W]) + missing
         small = small * speed
     if abs(error) <= small:

@@ -205,7 +205,7 @@ def passing_either_way(
     passing[Passing.REVERSED] = 0.0
     result = count
     if forwards > 0:
-        if settled > 0.5 and ramps_suffice(axis):
+        if settled != 0.0 and ramps_suffice(axis):
             return forwards
         longest = total_duration(phases, forwards) * (1.0 - WORTH)
         result = forwards

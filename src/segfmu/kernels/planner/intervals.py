@@ -116,7 +116,7 @@ def next_feasible(
             duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + ROUNDED)
             duration = min(duration, most)
             if set_duration(duration, cell, axis, work):
-                if axis[Axis.PLATEAU] < 0.5 or not ramps_suffice(axis):
+                if axis[Axis.PLATEAU] == 0.0 or not ramps_suffice(axis):
                     duration = first_feasible(after, duration, cell, axis, work)
                 return duration
             if duration >= most:

@@ -158,7 +158,7 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
     basis, slope = ramp_duration(abs(level2 - level1), axis)
     t2 = basis * family[Family.STRETCH]
     basis = basis + family[Family.FLATNESS] * (t2 - basis)
-    if family[Family.BY_TIME] > 0.5:
+    if family[Family.BY_TIME] != 0.0:
         return t1 + hold1 + t2 + hold2 + t3, 0.0
     y = ramp_distance(v, a, level1, t1, t1, axis)
     v = v + 0.5 * (a + level1) * t1

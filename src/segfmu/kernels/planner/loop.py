@@ -168,7 +168,7 @@ def slow_middle(place: float, radius: float, family: 'float[:]', axis: 'float[:]
         return False
     if mean != 0.0:
         stretch = 1.0 - error / (mean * fastest)
-    elif family[Family.BY_TIME] > 0.5 and radius == 0.0 and error == 0.0:
+    elif family[Family.BY_TIME] != 0.0 and radius == 0.0 and error == 0.0:
         # the velocity does not tell how slow the ramp is
         stretch = family[Family.TARGET] / fastest
     else:

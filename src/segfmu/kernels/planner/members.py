@@ -27,7 +27,7 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     lower = -1.0
     f_lower = 0.0
     whole = family[Family.HIGHEST] == family[Family.TOP]
-    if whole and family[Family.MEMBER] > 0.5:
+    if whole and int(family[Family.MEMBER]) > 0:
         passed = int(family[Family.MEMBER])
         begin = int(family[Family.PASSED])
         lower = family[Family.PASSED_INSIDE]

@@ -107,7 +107,7 @@ def same_members(branch: int, problem: 'float[:]', family: 'float[:]') -> bool:
     Both have them all if their levels cannot be limited by the accelerations at the ends. Where
     the first level was lowered (`tempered_form`), that is the level at the other end.
     """
-    if branch % 2 == 0 or family[Family.LOWERED] > 0.5:
+    if branch % 2 == 0 or family[Family.LOWERED] != 0.0:
         return False
     a = problem[Problem.A]
     b = problem[Problem.B]
@@ -154,9 +154,9 @@ def write_member(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> 
         phases[before, Phase.BASIS] = basis + family[Family.FLATNESS] * (duration - basis)
     count = append_hold(phases, count, level2, family[Family.SECOND_HOLD])
     count = append_ramp(phases, count, level2, b, family[Family.LAST_TIME], axis)
-    if family[Family.REVERSE] > 0.5:
+    if family[Family.REVERSE] != 0.0:
         reverse_phases(phases, 0, count)
-    if family[Family.MIRROR] > 0.5:
+    if family[Family.MIRROR] != 0.0:
         mirror_phases(phases, count)
     return count
 
@@ -186,7 +186,7 @@ def level_within(
     """
     peak_limit = axis[Axis.VELOCITY]
     other_limit = axis[Axis.LOWER]
-    if family[Family.MIRROR] > 0.5:
+    if family[Family.MIRROR] != 0.0:
         peak_limit = axis[Axis.LOWER]
         other_limit = axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
@@ -199,7 +199,7 @@ def level_within(
         duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, axis)
         peak = highest
         other = -lowest
-        if family[Family.MIRROR] > 0.5:
+        if family[Family.MIRROR] != 0.0:
             peak = -lowest
             other = highest
         if count <= 0 or other > other_limit + rounding:

@@ -19,7 +19,7 @@ def rise_pieces(boxes: int) -> int:
 
 def ramp_pieces(axis: 'float[:]') -> int:
     """Number of polynomial pieces of a ramp."""
-    if axis[Axis.PLATEAU] < 0.5:
+    if axis[Axis.PLATEAU] == 0.0:
         return 1
     return rise_pieces(int(axis[Axis.SMOOTHNESS]) - 1)
 

@@ -150,7 +150,7 @@ def newton_step(
         pace_column(count, problem, axis, work)
     work[PlanWork.TIGHTEN, Tighten.STEPS] = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for j in range(int(passing[Passing.COUNT])):
-        if passing[Passing.INSTANTS] > 0.5 or passing[Passing.FREE] != 0.0:
+        if passing[Passing.INSTANTS] != 0.0 or passing[Passing.FREE] != 0.0:
             whole_column(j, count, problem, axis, work)
         else:
             time_column(j, count, problem, axis, work)
@@ -182,7 +182,7 @@ def longest_step(work: 'float[:,:]') -> float:
         if not abs(change) < SINGULAR * passing[Passing.TIME]:
             return 0.0
         most = 0.5 * passing[Passing.TIME]
-        if nodes[i, Node.KIND] < 0.5:
+        if nodes[i, Node.KIND] == 0.0:
             most = LESS * abs(time)
             if change * time >= 0.0:
                 most = MORE * abs(time)
@@ -232,7 +232,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
         count = count + 1
     run_sequence(problem, passing, axis, nodes, residual)
     error = residual_norm(count, residual)
-    quick = ramps_suffice(axis) or passing[Passing.QUICK] > 0.5
+    quick = ramps_suffice(axis) or passing[Passing.QUICK] != 0.0
     earlier = error
     for i in range(STEPS):
         # what is left are rounding errors

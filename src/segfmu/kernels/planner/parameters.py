@@ -164,7 +164,7 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
             if level > last:
                 # it costs no time, and nested steep rises leave pieces of nanoseconds
                 axis[Axis.SHARES + level] = max(share, usual_share(axis))
-            if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] > 1.5:
+            if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] >= 2.0:
                 axis[Axis.SHARES + level] = steeper_above() * share
     for i in range(last):
         level = last - 1 - i

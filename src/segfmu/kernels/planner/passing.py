@@ -76,7 +76,8 @@ def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     for i in range(int(passing[Passing.COUNT])):
-        if nodes[i, Node.KIND] < 0.5 and abs(nodes[i, Node.TIME]) < NO_TIME * passing[Passing.TIME]:
+        short = abs(nodes[i, Node.TIME]) < NO_TIME * passing[Passing.TIME]
+        if short and nodes[i, Node.KIND] == 0.0:
             nodes[i, Node.TIME] = 0.0
     run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
 
@@ -128,7 +129,7 @@ def write_sequence(
         if work[row, Node.HOLD] > 0.0 and int(work[row, Node.TOUCH]) == Touch.HOLDS:
             held = level
             order = above
-            if work[row, Node.KIND] > 0.5 and level == 0.0:
+            if work[row, Node.KIND] != 0.0 and level == 0.0:
                 # this derivative is held, without the rounding errors of the ramps before
                 order = max(work[row, Node.KIND] - 2.0, 0.0)
                 held = 0.0
@@ -172,7 +173,7 @@ def usual_ways(axis: 'float[:]', work: 'float[:,:]') -> int:
     """In how many ways sequences meet the limits (`passing_duration`)."""
     if is_brief(axis):
         return 2
-    if work[PlanWork.PASSING, Passing.PLAIN] < 0.5:
+    if work[PlanWork.PASSING, Passing.PLAIN] == 0.0:
         return 4
     return 3
 
@@ -217,9 +218,9 @@ def passing_form(
     if not first_solution(count, ramps, problem, axis, work):
         return 0
     used = 0
-    if passing[Passing.PLAIN] < 0.5 and shorter_solution(problem, axis, work):
+    if passing[Passing.PLAIN] == 0.0 and shorter_solution(problem, axis, work):
         used, shortest = shortest_way(ways, shortest, longest, phases, problem, axis, work)
-        if passing[Passing.SETTLED] > 0.5:
+        if passing[Passing.SETTLED] != 0.0:
             return used
         first_solution(count, ramps, problem, axis, work)
     others, shortest = shortest_way(ways, shortest, longest, phases, problem, axis, work)
@@ -274,7 +275,7 @@ def timed_passing(
         return 0
     # moving first would refuse more durations; without an instant it costs time and finds no more
     ways = 1
-    if work[PlanWork.PASSING, Passing.INSTANTS] > 0.5:
+    if work[PlanWork.PASSING, Passing.INSTANTS] != 0.0:
         ways = 2
     for moving in range(ways):
         if pace_down(moving, shortest, problem, axis, work):
@@ -288,8 +289,8 @@ def slower_form(
     """Slow a profile of `count` phases down; their new number, 0 if that fails."""
     if not is_passing(phases, count, axis):
         return 0
-    backwards = work[PlanWork.PASSING, Passing.REVERSED] > 0.5
-    mirrored = work[PlanWork.PASSING, Passing.MIRRORED] > 0.5
+    backwards = work[PlanWork.PASSING, Passing.REVERSED] != 0.0
+    mirrored = work[PlanWork.PASSING, Passing.MIRRORED] != 0.0
     if backwards:
         reverse_search(problem, axis)
     if mirrored:

@@ -268,7 +268,7 @@ def is_passing(phases: 'float[:,:]', count: int, axis: 'float[:]') -> bool:
     found = False
     for i in range(count):
         if phases[i, Phase.CHANGE] != 0.0:
-            if phases[i, Phase.ABOVE] < 0.5 or phases[i, Phase.ABOVE] != axis[Axis.ABOVE]:
+            if phases[i, Phase.ABOVE] == 0.0 or phases[i, Phase.ABOVE] != axis[Axis.ABOVE]:
                 return False
             found = True
     return found
@@ -278,7 +278,7 @@ def has_dip(phases: 'float[:,:]', count: int) -> bool:
     """Whether phases of ramps begin or end with a dip (dip.py)."""
     if count == 0:
         return False
-    return phases[0, Phase.ABOVE] > 0.5 or phases[count - 1, Phase.ABOVE] > 0.5
+    return phases[0, Phase.ABOVE] != 0.0 or phases[count - 1, Phase.ABOVE] != 0.0
 
 
 def stretch_phases(phases: 'float[:,:]', count: int, factor: float) -> None:

@@ -69,7 +69,7 @@ def time_left(
     count = 0
     for j in range(first, cells.shape[0], step):
         rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
-        if cells[j, Cell.PLACE, Place.PROLONGED] > 0.5:
+        if cells[j, Cell.PLACE, Place.PROLONGED] != 0.0:
             base = base + cells[j, Cell.RESULT, Interval.DURATION]
             count = count + 1
     return rest, base, count
@@ -162,7 +162,7 @@ def prolong_all(
             factor = 1.0 + rest / base
             extra = 0.0
         for j in range(first, cells.shape[0], step):
-            if cells[j, Cell.PLACE, Place.PROLONGED] > 0.5:
+            if cells[j, Cell.PLACE, Place.PROLONGED] != 0.0:
                 present = cells[j, Cell.RESULT, Interval.DURATION]
                 end = j + last - first
                 reached = common_duration(

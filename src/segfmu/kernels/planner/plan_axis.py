@@ -187,12 +187,12 @@ def plan_axis(axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float
     share = usual_share(axes[axis, :])
     status = plan_with_share(axis, share, axes, cells, work)
     missed = int(work[PlanWork.FAMILY, Family.MISSED])
-    if axes[axis, Axis.PLATEAU] < 0.5:
+    if axes[axis, Axis.PLATEAU] == 0.0:
         return status
     if status == PlanStatus.START_BRAKING or status == PlanStatus.END_BRAKING:
         status, share = plan_refused(axis, axes, cells, work)
     elif status == PlanStatus.PLANNED and missed > Rises.USUAL:
         share = plan_steeper(missed, axis, axes, cells, work)
-    if status == PlanStatus.PLANNED and work[PlanWork.FAMILY, Family.SLOW] > 0.5:
+    if status == PlanStatus.PLANNED and work[PlanWork.FAMILY, Family.SLOW] != 0.0:
         plan_thoroughly(share, axis, axes, cells, work)
     return status

@@ -92,7 +92,7 @@ def split_level(
 ) -> bool:
     """Let the derivative q - 2 stay at its limit within a level: level, plateau, level."""
     row = PlanWork.NODES + place
-    if work[row, Node.KIND] > 0.5:
+    if work[row, Node.KIND] != 0.0:
         return False
     time = work[row, Node.TIME]
     level_sign = work[row, Node.SIGN]
@@ -118,7 +118,7 @@ def split_ramp(
         last = last + 1
         if work[last - 1, Node.KIND] != plateau:
             return False
-    if work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
+    if work[first, Node.KIND] != 0.0 or work[last, Node.KIND] != 0.0:
         return False
     share = SHARE
     if touch:
@@ -150,13 +150,13 @@ def insert_plateau(
     count = int(passing[Passing.COUNT])
     place = int(excess[Excess.NODE])
     sign = excess[Excess.SIGN]
-    holding = excess[Excess.HOLDING] > 0.5
+    holding = excess[Excess.HOLDING] != 0.0
     if count > MOST_NODES:
         return False
     if kind == q - 2:
         if not holding:
             row = PlanWork.NODES + place
-            here = place < count and work[row, Node.KIND] < 0.5
+            here = place < count and work[row, Node.KIND] == 0.0
             if not here or work[row, Node.LEVEL] * sign >= 0.0:
                 place = place - 1
         inside = place >= 0 and place < count
@@ -166,7 +166,7 @@ def insert_plateau(
     if kind == q - 3:
         return split_ramp(place, kind, sign, touching, holding, work)
     row = PlanWork.NODES + place
-    if holding or work[row, Node.KIND] > 0.5 or work[row - 1, Node.KIND] > 0.5:
+    if holding or work[row, Node.KIND] != 0.0 or work[row - 1, Node.KIND] != 0.0:
         return False
     insert_node(place, kind, sign, 0.0, False, work)
     return True
@@ -179,7 +179,7 @@ def rotate_levels(work: 'float[:,:]') -> bool:
     first = PlanWork.NODES
     last = PlanWork.NODES + count - 1
     tiny = NEW * passing[Passing.TIME]
-    if count < 2 or work[first, Node.KIND] > 0.5 or work[last, Node.KIND] > 0.5:
+    if count < 2 or work[first, Node.KIND] != 0.0 or work[last, Node.KIND] != 0.0:
         return False
     # the largest distance would become the least one
     if passing[Passing.FREE] != 0.0:

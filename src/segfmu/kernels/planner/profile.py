@@ -112,7 +112,7 @@ def may_last_longer(problem: 'float[:]', axis: 'float[:]') -> bool:
     between states beyond the lower one of two velocity limits, a cruise at that one is a detour.
     """
     fastest = max(abs(problem[Problem.V]), abs(problem[Problem.W]))
-    return axis[Axis.PLATEAU] < 0.5 or fastest > slowest_velocity(axis)
+    return axis[Axis.PLATEAU] == 0.0 or fastest > slowest_velocity(axis)
 
 
 def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
@@ -127,7 +127,7 @@ def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]')
     if count == 0:
         free = family[Family.FREE]
         count = shortest_braked(asked, axis, phases, work)
-        if work[PlanWork.PASSING, Passing.SETTLED] < 0.5:
+        if work[PlanWork.PASSING, Passing.SETTLED] == 0.0:
             missed = max(missed, int(Rises.MODERATE))
         if count > 0 and misses_little(free, total_duration(phases, count), asked, axis):
             missed = int(Rises.STEEPEST)
@@ -138,9 +138,9 @@ def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]')
             count = loop_form(LoopArc.FOLD, count, longest, phases, asked, axis, work)
             if total_duration(phases, count) > longest:
                 missed = int(Rises.STEEPEST)
-        if axis[Axis.ABOVE] > 0.5 and not ramps_suffice(axis):
+        if axis[Axis.ABOVE] != 0.0 and not ramps_suffice(axis):
             count = passing_either_way(count, phases, asked, axis, work)
-    if count > 0 and axis[Axis.PLATEAU] < 0.5:
+    if count > 0 and axis[Axis.PLATEAU] == 0.0:
         # a state of another profile may be followed by its rest, whose cruise vanishes
         count = shorter_cruise(count, phases, asked, axis, work[PlanWork.TRIAL:PlanWork.BEST, :])
     if count > 0 and may_last_longer(asked, axis):
@@ -158,7 +158,7 @@ def shortest_braked(
     """`shortest_profile` where the optimal forms fail, with dips where they shorten it."""
     free = work[PlanWork.FAMILY, Family.FREE]
     status = usual_braked(asked, axis, phases, work)
-    if status <= 0 or axis[Axis.ABOVE] < 0.5:
+    if status <= 0 or axis[Axis.ABOVE] == 0.0:
         return status
     most = NEARLY_FREE * free
     far = most
@@ -167,7 +167,7 @@ def shortest_braked(
         far = FAR_FROM_FREE * free
     elif total_duration(phases, status) > most:
         status = shorter_dipped(status, phases, asked, axis, work)
-    if axis[Axis.THOROUGH] > 0.5 and total_duration(phases, status) > far:
+    if axis[Axis.THOROUGH] != 0.0 and total_duration(phases, status) > far:
         status = touching_form(status, phases, asked, axis, work)
     work[PlanWork.FAMILY, Family.SLOW] = total_duration(phases, status) > most
     return status
@@ -183,9 +183,9 @@ def usual_braked(
     longest = usual_duration(asked, axis)
     if status > 0:
         settled = False
-        if axis[Axis.ABOVE] > 0.5:
+        if axis[Axis.ABOVE] != 0.0:
             status = passing_either_way(status, phases, asked, axis, work)
-            settled = work[PlanWork.PASSING, Passing.SETTLED] > 0.5 and ramps_suffice(axis)
+            settled = work[PlanWork.PASSING, Passing.SETTLED] != 0.0 and ramps_suffice(axis)
         longest = total_duration(phases, status)
         settled = settled and longest <= NEARLY_FREE_JERK * free
         if settled and early_window(longest, asked, axis) <= 0.0:
@@ -206,7 +206,7 @@ def usual_braked(
         count = loop_form(last, count, longest, phases, asked, axis, work)
     if count == 0:
         return status
-    if axis[Axis.ABOVE] > 0.5 and (status < 0 or total_duration(phases, count) < longest):
+    if axis[Axis.ABOVE] != 0.0 and (status < 0 or total_duration(phases, count) < longest):
         return passing_either_way(count, phases, asked, axis, work)
     return count
 

@@ -152,7 +152,7 @@ def ramp_duration(change: float, axis: 'float[:]') -> 'tuple[float, float]':
     if axis[Axis.SQUARE] > 0.0:
         duration = sqrt(axis[Axis.SQUARE] * change)
         return duration, 0.5 / change * duration
-    if axis[Axis.PLATEAU] < 0.5:
+    if axis[Axis.PLATEAU] == 0.0:
         return slowest_root(change, axis)
     return plateau_duration(change, 0, axis)
 
@@ -168,14 +168,14 @@ def ramp_change(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
             return (duration - axis[Axis.LINEAR_CONSTANT]) * slope, slope
         slope = duration * axis[Axis.SQUARE_RATE]
         return slope * duration, 2.0 * slope
-    if axis[Axis.PLATEAU] < 0.5:
+    if axis[Axis.PLATEAU] == 0.0:
         return fastest_power(duration, axis)
     return plateau_change(duration, 0, axis)
 
 
 def ramp_variance(basis: float, axis: 'float[:]') -> float:
     """Variance of the jerk over time, seen as a density, of the fastest ramp that lasts `basis`."""
-    if axis[Axis.LINEAR_SLOPE] > 0.0 and axis[Axis.PLATEAU] > 0.5:
+    if axis[Axis.LINEAR_SLOPE] > 0.0 and axis[Axis.PLATEAU] != 0.0:
         rise = axis[Axis.RISES]
         if basis >= 2.0 * rise and axis[Axis.SHARES] == 0.0:
             box = basis - rise

@@ -60,7 +60,7 @@ def extreme_gain(a: float, b: float, duration: float, basis: float, axis: 'float
     the acceleration falls ever faster to the middle of the ramp: it is below the tangent there.
     """
     smaller = min(abs(a), abs(b))
-    if axis[Axis.PLATEAU] < 0.5:
+    if axis[Axis.PLATEAU] == 0.0:
         return 0.5 * smaller * duration
     # the reciprocal of the steepest jerk
     slowness = (basis - inner_rise(basis, 0, axis)) * (duration / basis) / abs(b - a)
@@ -78,7 +78,7 @@ def ramp_extreme_velocity(
         # the symmetric ramp, run backwards from its end, crosses zero in its first half
         start = v + 0.5 * (a + b) * duration
         first = -b
-    if axis[Axis.PLATEAU] > 0.5:
+    if axis[Axis.PLATEAU] != 0.0:
         return plateau_extreme_velocity(start, first, change, duration, basis, axis)
     if axis[Axis.CURVE_SIZE] == 2.0:
         return start - 0.5 * first * first * duration / change

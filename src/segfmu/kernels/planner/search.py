@@ -43,7 +43,7 @@ def window_edge(
 def canonical_value(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float]':
     """The searched quantity (duration or distance) of a member, and its duration or -1."""
     duration, y = canonical_member(p, family, axis)
-    if family[Family.BY_TIME] > 0.5:
+    if family[Family.BY_TIME] != 0.0:
         return duration, duration
     return y, duration
 
@@ -68,7 +68,7 @@ def bracketed_root(
     before = lower
     e_before = e_other
     speed = abs(family[Family.V]) + abs(family[Family.W])
-    if family[Family.BY_TIME] > 0.5:
+    if family[Family.BY_TIME] != 0.0:
         speed = 0.0
     for i in range(HALVINGS):
         if e_newest == 0.0 or abs(newest - other) <= ROOT * abs(newest):

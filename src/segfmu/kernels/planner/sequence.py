@@ -159,7 +159,7 @@ def node_residuals(
 
 def stays_at_limit(node: 'float[:]') -> bool:
     """Whether a derivative is held at its limit at a node, rather than touching it."""
-    if node[Node.KIND] < 0.5 or node[Node.LEVEL] != 0.0:
+    if node[Node.KIND] == 0.0 or node[Node.LEVEL] != 0.0:
         return False
     return int(node[Node.TOUCH]) == Touch.HOLDS
 
@@ -178,7 +178,7 @@ def first_row(node: int, passing: 'float[:]', nodes: 'float[:,:]') -> int:
     q = int(passing[Passing.ABOVE]) + 2
     row = 0
     for i in range(node):
-        if nodes[i, Node.KIND] > 0.5:
+        if nodes[i, Node.KIND] != 0.0:
             row = row + q - int(nodes[i, Node.KIND])
     return row
 

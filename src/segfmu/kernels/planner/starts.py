@@ -50,7 +50,7 @@ def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
     count = int(work[PlanWork.PASSING, Passing.COUNT])
     if count > 0:
         row = PlanWork.NODES + count - 1
-        if work[row, Node.KIND] < 0.5 and work[row, Node.SIGN] == sign:
+        if work[row, Node.KIND] == 0.0 and work[row, Node.SIGN] == sign:
             last = work[row, Node.TIME]
             work[row, Node.TIME] = sqrt(last * last + time * time)
             return
@@ -165,7 +165,7 @@ def set_sequence(
         factor = LESS * factor
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
-        if work[row, Node.KIND] < 0.5:
+        if work[row, Node.KIND] == 0.0:
             work[row, Node.TIME] = factor * work[row, Node.TIME]
             if attempt >= 3:
                 work[row, Node.SIGN] = -work[row, Node.SIGN]
@@ -201,7 +201,7 @@ def is_brief(axis: 'float[:]') -> bool:
 
     Of 2,000 plans one would be shorter by 0.5 %.
     """
-    return ramps_suffice(axis) and axis[Axis.THOROUGH] < 0.5
+    return ramps_suffice(axis) and axis[Axis.THOROUGH] == 0.0
 
 
 def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:

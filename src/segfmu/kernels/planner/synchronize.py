@@ -56,6 +56,8 @@ from segfmu.kernels.planner.timed_cruise import is_enclosed
 LESS = 0.75
 NONE = 0.99
 STRETCHES = 9
+# in place of a weight where an acceleration at an end cannot be braked
+UNBRAKED = -2.0
 
 
 def is_turning(lowest: float, highest: float) -> bool:
@@ -186,9 +188,9 @@ def timed_profile(
     if weight >= 0.0:
         return weight
     weight = timed_braked(axis, cell, work)
-    if weight < -1.5:
+    if weight == UNBRAKED:
         return -1.0
-    if weight < 0.0 and axis[Axis.ABOVE] > 0.5:
+    if weight < 0.0 and axis[Axis.ABOVE] != 0.0:
         weight = slower_passing(axis, cell, work)
         if weight < 0.0:
             weight = between_extremes(axis, cell, work)
@@ -219,7 +221,10 @@ def timed_smoothly(
 
 
 def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
-    """`timed_profile` with ramps, also after braking the accelerations; -2: braking fails."""
+    """`timed_profile` with ramps, also after braking the accelerations.
+
+    -1: there are none; UNBRAKED: braking fails.
+    """
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
     for variant in range(4):
@@ -227,7 +232,7 @@ def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
         if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
-            return -2.0
+            return UNBRAKED
         if rest[Problem.DURATION] <= 0.0:
             continue
         clear_nearest(work)
@@ -272,14 +277,14 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
 
     Where that fails, another one that is not as short may be slowed down.
     """
-    if axis[Axis.ABOVE] < 0.5:
+    if axis[Axis.ABOVE] == 0.0:
         return -1.0
     problem = work[PlanWork.PROBLEM, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     count = 0
-    if cell[Cell.RESULT, Interval.PASSING] > 0.5:
+    if cell[Cell.RESULT, Interval.PASSING] != 0.0:
         count = slowed_shortest(phases, problem, axis, work)
-        if count == 0 and axis[Axis.THOROUGH] > 0.5:
+        if count == 0 and axis[Axis.THOROUGH] != 0.0:
             # one whose velocity touches its limit may be alone between gaps
             axis[Axis.THOROUGH] = 0.0
             count = slowed_shortest(phases, problem, axis, work)

@@ -65,7 +65,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     last = 0.0
     late = 0.0
     early = 0.0
-    if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0 and axis[Axis.PLATEAU] > 0.5:
+    if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0 and axis[Axis.PLATEAU] != 0.0:
         first = 0.5 * a * a / jerk
         last = 0.5 * b * b / jerk
         late = least_lever(b, gain - first, top, axis) - a * first / (3.0 * jerk)

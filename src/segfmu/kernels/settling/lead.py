@@ -111,7 +111,7 @@ def find_lead(
     """
     lead[LeadWork.BEST, Lead.TIME] = -1.0
     lead[LeadWork.BEST, Lead.COUNT] = 0.0
-    brakes = lead[LeadWork.TASK, LeadTask.BRAKES] > 0.5
+    brakes = lead[LeadWork.TASK, LeadTask.BRAKES] != 0.0
     smoothness = limits.shape[0] - 1
     if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
         return False

@@ -46,7 +46,7 @@ def latest_axis(ends: 'float[:,:]') -> int:
     latest = -1
     longest = -1.0
     for axis in range(ends.shape[0]):
-        if ends[axis, LeadEnd.HASTY] < 0.5 and ends[axis, LeadEnd.TIME] > longest:
+        if ends[axis, LeadEnd.HASTY] == 0.0 and ends[axis, LeadEnd.TIME] > longest:
             latest = axis
             longest = ends[axis, LeadEnd.TIME]
     return latest

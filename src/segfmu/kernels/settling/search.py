@@ -80,7 +80,7 @@ def follow_profile(
     """End a stage at the first level of the profile that follows."""
     first = lead[LeadWork.PHASES, :]
     for i in range(3):
-        if first[Phase.ABOVE] > 0.5:
+        if first[Phase.ABOVE] != 0.0:
             break
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
         before = lead[LeadWork.BEST, Lead.TIME]
