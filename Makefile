@@ -102,7 +102,8 @@ soak: $(VENV)/installed ## the random campaigns of the tests, with 2 to 100 time
 	SEGFMU_SOAK=1 $(PYTEST) -m soak
 
 interpreted: $(VENV)/installed ## some tests on the interpreted kernels, as where no C compiler is
-	SEGFMU_INTERPRETED=1 $(PYTEST) -m interpreted
+	@# of the files that have some: to collect all would take as long as many of them
+	SEGFMU_INTERPRETED=1 $(PYTEST) -m interpreted $$(grep -rl --include='*.py' mark.interpreted tests)
 
 lint: $(VENV)/installed ## static checks
 	$(BIN)/ruff check .

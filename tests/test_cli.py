@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -15,6 +14,7 @@ from fmpy import read_model_description
 
 import segfmu
 from segfmu import cli
+from tests.command import called
 from tests.tables import columns
 
 MODELS = Path(__file__).parents[1] / "models"
@@ -249,13 +249,10 @@ def test_simulate_takes_the_feedback_source_of_the_mission(
     assert np.abs(rows["sway.x.angle"][-100:]).max() < 2e-3
 
 
-def test_help_teaches(monkeypatch, capsys) -> None:
+def test_help_teaches(tmp_path: Path) -> None:
     for command in ([], ["plan"], ["build"], ["simulate"]):
-        result = subprocess.run(
-            [sys.executable, "-c", "from segfmu.cli import main; main()", *command, "--help"],
-            capture_output=True, text=True, check=True, timeout=60,
-        )
-        assert "Usage" in result.stdout
+        result = called(*command, "--help", cwd=tmp_path)
+        assert result.returncode == 0 and "Usage" in result.stdout
     assert "Example" in result.stdout
 
 

@@ -50,8 +50,6 @@ from tests.compiler import compiled_kernels
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems, work_space
 
-pytestmark = pytest.mark.interpreted
-
 compiled = compiled_kernels()
 INTERPRETED = SimpleNamespace(
     axis_limits=parameters.axis_limits, ramp_parameters=parameters.ramp_parameters,

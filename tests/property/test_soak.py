@@ -40,7 +40,7 @@ def test_axes_meet_as_early_as_they_can(count: int) -> None:
 def test_plans_are_replanned_and_stopped_anywhere(
     smoothness: int, ends: bool, count: int
 ) -> None:
-    states = count if COMPILED else 4
+    states = count if COMPILED else 2
     tally = soak_replan(smoothness, states, seed=7, ends=ends)
     assert tally.states >= states
     assert tally.refused == []
