@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from math import isfinite
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -53,11 +54,11 @@ def require_not_negative(name: str, value: object) -> None:
         raise InputError(f"{name} must be a finite number >= 0, got {shown(value)}")
 
 
-def require_weights(weights: Mapping[str, float], needed: Container[str]) -> None:
+def require_weights(weights: Mapping[str, Any], needed: Container[str]) -> None:
     """Raise InputError unless weights by name are finite and at least 0, those needed above 0."""
     for name, value in weights.items():
-        if not 0.0 <= value < np.inf or (name in needed and value == 0.0):
-            raise InputError(f"weight {name} must be positive and finite, got {value!r}")
+        if not _finite(value) or value < 0.0 or (name in needed and value == 0.0):
+            raise InputError(f"weight {name} must be positive and finite, got {shown(value)}")
 
 
 def require_seed(name: str, value: object) -> None:

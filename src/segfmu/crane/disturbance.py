@@ -8,9 +8,10 @@ from typing import Literal
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, shown
 from segfmu.crane.checks import (
     require_finite,
+    require_kind,
     require_not_negative,
     require_positive,
     require_seed,
@@ -58,8 +59,8 @@ class Gust:
         require_positive("gust duration", self.duration)
         sized("gust force", self.force, 3)
         sized("gust speed", self.speed, 3)
-        if self.shape not in SHAPES:
-            raise InputError(f"gust shape must be cosine or sine, got {self.shape!r}")
+        if not isinstance(self.shape, str) or self.shape not in SHAPES:
+            raise InputError(f"gust shape must be cosine or sine, got {shown(self.shape)}")
 
 
 @dataclass(frozen=True)
@@ -136,6 +137,9 @@ class Wind:
     components: FloatArray = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        for name, kind in (("gust", Gust), ("turbulence", Turbulence)):
+            if getattr(self, name) is not None:
+                require_kind(f"wind {name}", getattr(self, name), kind)
         sized("wind constant", self.constant, 3)
         deviation = sized("wind deviation", self.deviation, 3)
         for axis, value in zip("xyz", deviation, strict=True):

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from segfmu.arrays import shown
 from segfmu.crane.checks import require_negative, require_not_negative, require_positive, sized
 from segfmu.crane.variables import Fed, fed
 from segfmu.errors import InputError
@@ -122,7 +123,8 @@ class Friction:
         require_positive("friction presliding", self.presliding)
         require_not_negative("friction sway", self.sway)
         fault = np.zeros(SetupFault.SIZE)
-        status = backend.check_friction(np.array(self.static), np.array(self.coulomb), fault)
+        static, coulomb = (np.array(v, dtype=np.float64) for v in (self.static, self.coulomb))
+        status = backend.check_friction(static, coulomb, fault)
         if status != SetupStatus.FITS:
             raise InputError(SETUP.text(status, fault.tolist()))
 
@@ -158,8 +160,8 @@ class TravelLimits:
     slack: Literal["error", "free_fall"] = "error"
 
     def __post_init__(self) -> None:
-        if self.slack not in SLACK:
-            raise InputError(f"slack must be error or free_fall, got {self.slack!r}")
+        if not isinstance(self.slack, str) or self.slack not in SLACK:
+            raise InputError(f"slack must be error or free_fall, got {shown(self.slack)}")
         for name in ("stiffness", "damping"):
             values = sized(f"travel {name}", getattr(self, name), 3)
             for axis, value in zip(AXES, values, strict=True):

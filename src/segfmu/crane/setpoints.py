@@ -6,8 +6,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, numbers
+from segfmu.errors import InputError
 from segfmu.kernels.rig.records import Setpoints as Record
+
+SHAPES = ((3,), (3,), (10,), (3,))
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +40,17 @@ class Setpoints:
 
     @property
     def vector(self) -> FloatArray:
-        """The kernels' `Setpoints`, shape (19,)."""
+        """The kernels' `Setpoints`, shape (19,).
+
+        Raises
+        ------
+        InputError
+            For parts of other shapes, and what is no number.
+        """
         parts = (self.force, self.velocity, self.reference, self.wind)
-        return np.concatenate(parts, dtype=np.float64)
+        if tuple(map(np.shape, parts)) != SHAPES:
+            raise InputError(
+                "force, velocity, reference and wind of setpoints have 3, 3, 10 and 3 values, got "
+                f"arrays of shape {', '.join(str(np.shape(part)) for part in parts)}"
+            )
+        return numbers("setpoints", np.concatenate(parts))

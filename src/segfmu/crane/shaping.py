@@ -15,7 +15,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_times
+from segfmu.arrays import FloatArray, finite_times, finite_vector, shown
 from segfmu.crane.checks import require_finite, require_positive
 from segfmu.errors import InputError
 
@@ -98,6 +98,9 @@ class Trapezoid:
                 value += step * (times >= edge)
         return value
 
+# by which the sum of shares may differ from 1, as rounded shares do
+SUM = 1e-6
+
 
 @dataclass(frozen=True, eq=False)
 class Shaper:
@@ -109,10 +112,27 @@ class Shaper:
         [s], ascending from 0.
     shares : ndarray, shape (impulses,)
         Their sum is 1.
+
+    Raises
+    ------
+    InputError
+        For other times and shares.
     """
 
     times: FloatArray
     shares: FloatArray
+
+    def __post_init__(self) -> None:
+        for name in ("times", "shares"):
+            values = finite_vector(f"{name} of a shaper", getattr(self, name))
+            object.__setattr__(self, name, values)
+        if self.times[0] != 0.0 or np.any(np.diff(self.times) < 0.0):
+            raise InputError(f"times of a shaper ascend from 0, got {shown(self.times.tolist())}")
+        if self.shares.size != self.times.size or abs(self.shares.sum() - 1.0) > SUM:
+            raise InputError(
+                "shares of a shaper are as many as its times, and their sum is 1, got "
+                f"{shown(self.shares.tolist())}"
+            )
 
     def then(self, other: Shaper) -> Shaper:
         """Both shapers one after the other: for two frequencies, in the sum of both durations."""
