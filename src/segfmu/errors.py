@@ -74,8 +74,12 @@ def first_line(error: BaseException) -> str:
     return next(iter(str(error).splitlines()), type(error).__name__)
 
 
+def meant(name: object, known: Collection[str]) -> str:
+    """The end of a message on a name that is unknown: one that may be meant; empty if none is."""
+    near = get_close_matches(str(name), list(known), n=1)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
 def no_variable(name: str, known: Collection[str]) -> InputError:
     """The error of a variable that a run does not have, with one that may be meant."""
-    near = get_close_matches(name, known, n=1)
-    hint = f"; did you mean {near[0]}?" if near else ""
-    return InputError(f"no variable {name} in the run{hint}")
+    return InputError(f"no variable {name} in the run{meant(name, known)}")

@@ -134,3 +134,10 @@ def test_the_first_of_motions_that_last_as_long_is_taken(unit: float, place: flo
     scaled = Limits(*(unit * values))
     there = plan([Waypoint([unit * place]), Waypoint([unit * (place + 3.99686)])], scaled)
     assert there.extrema(2)[1] == pytest.approx(unit * most, rel=1e-6)
+
+
+def test_times_beyond_all_scales_have_few_digits() -> None:
+    """They were told with three hundred digits in front of the point."""
+    with pytest.raises(InfeasibleError, match="choose limits and distances of") as told:
+        plan([Waypoint([0.0]), Waypoint([1.0])], Limits(1e-300, 1.0, 1.0))
+    assert "at 1e+300 s" in str(told.value)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path
 
@@ -111,6 +112,14 @@ def test_one_per_cent_of_a_gain_is_found(
 ) -> None:
     assert judged(monkeypatch, runs["gain"], runs["flat"]) == 1
     assert "leaves its tube at" in capsys.readouterr().out
+
+
+def test_a_signal_that_the_result_has_not_is_told_with_one_alike() -> None:
+    times = {"time": np.linspace(0.0, 1.0, 5)}
+    words = "no signal sway.x.angel, which the reference has; did you mean sway.x.angle?"
+    with pytest.raises(InputError, match=re.escape(words)):
+        compare(times | {"sway.x.angle": times["time"]}, times | {"sway.x.angel": times["time"]},
+                tube_time=0.0, tube_value=0.0)
 
 
 def test_a_reference_without_signals_is_no_agreement() -> None:

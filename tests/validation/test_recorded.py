@@ -130,7 +130,8 @@ def test_a_column_that_no_fmu_has_is_told(runner: Runner, tmp_path: Path) -> Non
     scenario = load_scenario(FOLDER / "lab" / "released.toml")
     path = tmp_path / "r.csv"
     path.write_text("time,command.modes\n0,stop\n", encoding="utf-8")
-    with pytest.raises(InputError, match=r"r\.csv: column command\.modes is no variable of"):
+    words = r"r\.csv: column command\.modes is no variable of .*; did you mean command\.mode\?"
+    with pytest.raises(InputError, match=words):
         runner.run(replace(scenario, recordings=(load_recording(path),)))
 
 

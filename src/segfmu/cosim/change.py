@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from segfmu.arrays import as_tuple, finite_number, require_mapping, shown
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.unit import Unit
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def _require_changeable(
 ) -> None:
     variable = unit.variables.get(name)
     if variable is None:
-        raise InputError(f"{owner} has no variable {name}")
+        raise InputError(f"{owner} has no variable {name}{meant(name, unit.variables)}")
     tunable = variable.causality == "parameter" and variable.variability == "tunable"
     if variable.causality != "input" and not tunable:
         raise InputError(

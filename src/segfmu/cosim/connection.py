@@ -10,7 +10,7 @@ import numpy as np
 from segfmu.arrays import as_names, as_tuple
 from segfmu.cosim.channel import Call, Copy, gathered
 from segfmu.cosim.unit import Unit
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 
 
 class Connection(NamedTuple):
@@ -100,7 +100,8 @@ def checked(units: Mapping[str, Unit], given: Iterable[Sequence[str]]) -> list[C
                 raise InputError(f"no FMU {owner} in the system; it has {', '.join(units)}")
             variable = unit.variables.get(name)
             if variable is None or variable.causality != causality:
-                raise InputError(f"{owner} has no {causality} {name}")
+                known = [n for n, v in unit.variables.items() if v.causality == causality]
+                raise InputError(f"{owner} has no {causality} {name}{meant(name, known)}")
             if variable.type not in unit.COLUMNS or variable.dimensions:
                 raise InputError(f"{owner}: {name} is no number, only numbers can be connected")
         if units[one.source].kind(one.output) is not units[one.sink].kind(one.input):

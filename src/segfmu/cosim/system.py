@@ -21,7 +21,7 @@ from segfmu.cosim.schedule import Coupling, initialise, scheduled
 from segfmu.cosim.table import chosen, columns, fields
 from segfmu.cosim.tape import OffTape, Tape
 from segfmu.cosim.unit import NEXT_EVENT, Unit
-from segfmu.errors import InputError, SimulationError
+from segfmu.errors import InputError, SimulationError, meant
 
 # parameter of a source by which its outputs are ahead of time
 LEAD = "setpoint.lead"
@@ -207,8 +207,9 @@ class System:
         self._require_units(values)
         for owner, own in values.items():
             for name in own:
-                if name not in self._units[owner].variables:
-                    raise InputError(f"{owner} has no variable {name}")
+                known = self._units[owner].variables
+                if name not in known:
+                    raise InputError(f"{owner} has no variable {name}{meant(name, known)}")
         connected = {(c.sink, c.input) for c in self.connections}
         due(self._units, changes, connected, (start_time, stop_time))
 

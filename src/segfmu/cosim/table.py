@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import as_names, require_mapping
 from segfmu.cosim.unit import Unit
-from segfmu.errors import InputError, no_variable
+from segfmu.errors import InputError, meant, no_variable
 
 # rows in a block before it is copied to the result's columns
 BLOCK = 256
@@ -92,7 +92,8 @@ def chosen(
         for name in found[owner]:
             variable = units[owner].variables.get(name)
             if variable is None:
-                raise InputError(f"{owner} has no variable {name}")
+                hint = meant(name, units[owner].variables)
+                raise InputError(f"{owner} has no variable {name}{hint}")
             if variable.type not in units[owner].COLUMNS or variable.dimensions:
                 raise InputError(f"{owner}: {name} is no number, only numbers can be recorded")
     return found

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import shown
 from segfmu.cosim.channel import Channel
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 
 if TYPE_CHECKING:
     from segfmu.cosim.unit import Unit
@@ -41,7 +41,8 @@ class Setter:
         unit = self._unit
         variable = unit.variables.get(name)
         if variable is None:
-            raise InputError(f"{unit.name} has no variable {name}")
+            hint = meant(name, unit.variables)
+            raise InputError(f"{unit.name} has no variable {name}{hint}")
         if variable.type not in unit.TYPES:
             raise InputError(f"{unit.name}: {name} is of type {variable.type}, not supported")
         channel = self._channels.get(name) or self._made(name, variable)

@@ -89,7 +89,7 @@ def _missed(trajectory: Trajectory, found: Verification) -> InfeasibleError:
         return InfeasibleError(f"times err by {found.time_error:.3g} of the duration: {SCALE}")
     return InfeasibleError(
         f"axis {trajectory.axis_names[axis]}, {place}: the plan {fault} (relative) at "
-        f"{time:.3f} s: {SCALE}",
+        f"{time:.6g} s: {SCALE}",
         axis=axis, interval=interval, time=time,
     )
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from segfmu.arrays import FloatArray
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 
 # s; times that differ by less are equal
 INSTANT = 1e-9
@@ -103,7 +103,8 @@ def _require_alike(
 ) -> None:
     missing = [name for name in reference if name not in result]
     if missing:
-        raise InputError(f"the result has no signal {missing[0]}, which the reference has")
+        hint = meant(missing[0], result)
+        raise InputError(f"the result has no signal {missing[0]}, which the reference has{hint}")
     for name, values in reference.items():
         wrong = np.flatnonzero(np.isnan(values))
         if wrong.size:

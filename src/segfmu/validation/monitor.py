@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
-from segfmu.errors import InputError, no_variable
+from segfmu.errors import InputError, meant, no_variable
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES
@@ -245,7 +245,7 @@ def _reference(name: str, signal: str, rows: Signals) -> FloatArray:
         return rows[name]
     table = read_table(Path(name))
     if signal not in table:
-        raise InputError(f"{name}: no column {signal}")
+        raise InputError(f"{name}: no column {signal}{meant(signal, table)}")
     times, given = rows.times, table["time"]
     if given[0] > times[0] + INSTANT or given[-1] < times[-1] - INSTANT:
         raise InputError(f"{name}: does not last as long as the run, {times[-1]:.6g} s")

@@ -67,7 +67,7 @@ CAMPAIGNS = {
                                "c.toml: changes.step: must be at least 1e-06 s"),
     "outside of what the FMU takes": (
         "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
-        "GantryCrane has no variable drive.bridge.lug",
+        "GantryCrane has no variable drive.bridge.lug; did you mean drive.bridge.lag?",
     ),
     "one key twice": (
         "simulation.initial_sway.0", "true_crane.payload_mass",

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from segfmu.arrays import shown
 from segfmu.cosim import Change
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 from segfmu.planning.rows import read_rows
 
 TIME = "time"
@@ -73,7 +73,9 @@ class Recording:
         for fmu, names in variables.items():
             if name in names:
                 return fmu
-        raise InputError(f"{self.path}: column {name} is no variable of {' or '.join(variables)}")
+        hint = meant(name, [own for names in variables.values() for own in names])
+        owners = " or ".join(variables)
+        raise InputError(f"{self.path}: column {name} is no variable of {owners}{hint}")
 
 
 def load_recording(path: Path) -> Recording:
