@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import shutil
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -172,7 +173,10 @@ def run_cli(monkeypatch, native_fmus, folder: Path, mass: float) -> int:
     monkeypatch.setattr(
         scenario, "crane_values", lambda mission: values(mission) | {"crane.bridge_mass": mass}
     )
-    monkeypatch.setattr(archives, "written", lambda *_: native_fmus[2])
+    monkeypatch.setattr(
+        archives, "written",
+        lambda target, *_: tuple(Path(shutil.copy(p, target)) for p in native_fmus[2]),
+    )
     mission = str(MODELS / "paper.toml")
     monkeypatch.setattr(
         sys, "argv", ["segfmu", "simulate", mission, "-o", str(folder), "--step", "0.01"]

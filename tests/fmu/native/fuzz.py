@@ -21,17 +21,14 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.hook_crane import interface as hook_crane
 from segfmu.fmu.hook_feedforward import interface as hook_feedforward
 from segfmu.fmu.native import archive as native
-from segfmu.fmu.native.binaries import UNIT
+from segfmu.fmu.native.binaries import APART
 from segfmu.fmu.standard.spec import Spec, started
 from tests.compiler import SANITIZERS
 
 DRIVERS = Path(__file__).parent / "c"
 OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w")
-# what the one translation unit of an FMU has in place of the kernels that it is linked with
-LINKED = {
-    "#define SEGFMU_API static\n": "",
-    '#include "kernels.c"\n': '#include "kernels.h"\n#include <math.h>\n',
-}
+# sources of the kernels that are not in an object file of `kernels.c`
+OTHERS = ("messages.c", "plan.c")
 MEMCHECK = ("valgrind", "--quiet", "--error-exitcode=1", "--leak-check=full")
 # one that follows a stick from the start
 COMMANDED = started(gantry_feedforward.native_spec(), {
@@ -63,14 +60,9 @@ def program(
     place = folder / f"{spec.name}{fmi}"
     place.mkdir()
     written(spec, fmi, place)
-    objects = []
+    objects: list[Path | str] = []
     if kernels is not None:
-        objects.append(kernels)
-        unit = (place / UNIT).read_text(encoding="utf-8")
-        for old, new in LINKED.items():
-            assert unit.count(old) == 1, old
-            unit = unit.replace(old, new)
-        (place / UNIT).write_text(unit, encoding="utf-8")
+        objects = [f"-D{APART}", *(place / name for name in OTHERS), kernels]
     target = place / "fuzz"
     subprocess.run(
         [compiler, *OPTIONS, *sanitizers, level, f"-I{place}", f"-I{DRIVERS}",
