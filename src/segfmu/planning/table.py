@@ -79,6 +79,12 @@ def _path(path: str | Path) -> Path:
     return Path(path)
 
 
+def _is_state(name: str, names: list[str]) -> bool:
+    """Whether a column is a state of an axis, perhaps one that is misspelt."""
+    axis = name.rpartition("_")[2]
+    return name.startswith(tuple(f"{s}_" for s in STATES)) or (axis != name and axis in names)
+
+
 def _axes(where: str, names: list[str]) -> tuple[str, ...]:
     """The axes that the columns name."""
     wrong = next((n for n in names if n and not NAME.fullmatch(n)), None)
@@ -87,9 +93,7 @@ def _axes(where: str, names: list[str]) -> tuple[str, ...]:
             f"{where}: {shown(wrong)} is no name of a column; the first line has names, such as "
             "x,y,z,dwell, and units in brackets, such as x [m]"
         )
-    # a state of another axis, also if it is misspelt
-    found = tuple(n for n in names if n and n != DWELL and n.rpartition("_")[2] not in
-                  {*names} - {n} and not n.startswith(tuple(f"{state}_" for state in STATES)))
+    found = tuple(n for n in names if n and n != DWELL and not _is_state(n, names))
     if not found:
         raise InputError(f"{where}: no column has a position; name one by its axis, such as x")
     usual = {n.lower() for n in found} >= set(USUAL)
