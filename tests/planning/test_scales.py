@@ -141,3 +141,15 @@ def test_times_beyond_all_scales_have_few_digits() -> None:
     with pytest.raises(InfeasibleError, match="choose limits and distances of") as told:
         plan([Waypoint([0.0]), Waypoint([1.0])], Limits(1e-300, 1.0, 1.0))
     assert "at 1e+300 s" in str(told.value)
+
+
+@pytest.mark.parametrize(("way", "velocity"), [
+    ([0.0, 1e301], 1.0), ([0.0, -1e305], 1.0), ([0.0, 1.0], 1e-302),
+])
+def test_ways_beyond_all_scales_are_told_as_such(way: list[float], velocity: float) -> None:
+    """They were refused as axes that have no common duration."""
+    points = [Waypoint([0.0, 0.0]), Waypoint(way)]
+    with pytest.raises(InfeasibleError, match="limits and distances of similar size") as told:
+        plan(points, Limits(velocity, 1.0, 1.0, 1.0))
+    assert str(told.value).startswith("axis y, waypoints 1 -> 2: ")
+    assert (told.value.axis, told.value.interval) == (1, 1)

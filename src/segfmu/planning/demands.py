@@ -7,12 +7,10 @@ import numpy as np
 from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError
 from segfmu.planning.limits import NAMES, UNITS
-from segfmu.planning.messages import told_apart
+from segfmu.planning.messages import SCALE, told_apart
 from segfmu.planning.polynomials import derivative_pieces, piece_turns
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE, Verification, piece_ends, verify
-
-SCALE = "the problem is badly scaled; choose limits and distances of similar size"
 
 
 def require(trajectory: Trajectory) -> None:

@@ -26,6 +26,7 @@ DETAILS: dict[int, tuple[str | None, tuple[str, ...]]] = {
     PlanStatus.MOVING_DWELL: ("dwell", (AXIS, WAYPOINT)),
 }
 
+SCALE = "the problem is badly scaled; choose limits and distances of similar size"
 
 # the digits of a number in a text
 DIGITS = re.compile(r"(?<=:\.)\d+(?=g})")

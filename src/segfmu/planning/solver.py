@@ -6,14 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
-from segfmu.errors import InfeasibleError
+from segfmu.errors import InfeasibleError, SegfmuError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import DelayedState, PlanStatus, Refusal, WaypointState
 from segfmu.kernels.trajectory.records import Check
 from segfmu.planning.brake import find_brakes
 from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
 from segfmu.planning.limits import NAMES, UNITS
-from segfmu.planning.messages import refusal, told_apart
+from segfmu.planning.messages import SCALE, refusal, told_apart
 from segfmu.planning.motion import plan_motion
 from segfmu.planning.problem import Phases, Problem, expand_phases, plan_phases
 from segfmu.planning.request import Request
@@ -25,6 +25,8 @@ STARTS = (
     PlanStatus.START_BRAKING, PlanStatus.WAYPOINT_VELOCITY, PlanStatus.WAYPOINT_ACCELERATION,
     PlanStatus.NO_PROFILE,
 )
+# s, from which on the rounding of a plan's times is longer than any motion
+LONGEST = 1e100
 
 
 def solve(
@@ -46,7 +48,7 @@ def solve(
             found = _trajectory(request, timing, coefficients, offsets, times)
             return found, status == PlanStatus.PLANNED
         if not (brakes and status in STARTS and report[Refusal.INTERVAL] == 0.0):
-            raise refusal(status, report, request.axis_names)
+            raise _refused(request, status, report)
     return solve_after(request, _leads(request, follow, brakes))
 
 
@@ -104,10 +106,31 @@ def no_lead(request: Request, axis: int) -> InfeasibleError:
     )
 
 
+def _refused(request: Request, status: int, report: FloatArray) -> SegfmuError:
+    """The error for a refused plan; times beyond all scales are told as such.
+
+    The planner takes them for none, and finds nothing that axes have in common.
+    """
+    if status == PlanStatus.NO_COMMON_DURATION:
+        first = int(report[Refusal.INTERVAL])
+        ways = request.waypoints[first + 1].position - request.waypoints[first].position
+        for axis, way in enumerate(ways.tolist()):
+            limit = request.limits.bound("velocity", axis, way)
+            time = abs(way) / limit
+            if time >= LONGEST:
+                return InfeasibleError(
+                    f"axis {request.axis_names[axis]}, waypoints {first + 1} -> {first + 2}: "
+                    f"{abs(way):.6g} m take {time:.6g} s with limits.velocity {limit:.6g} m/s: "
+                    f"{SCALE}",
+                    axis=axis, interval=first + 1,
+                )
+    return refusal(status, report, request.axis_names)
+
+
 def _phases(request: Request, problem: Problem) -> Phases:
     phases = plan_phases(problem)
     if not phases.feasible:
-        raise refusal(phases.status, phases.refusal, request.axis_names)
+        raise _refused(request, phases.status, phases.refusal)
     return phases
 
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 from segfmu import InputError
 from segfmu.validation.files.mission_file import load_mission
+from segfmu.validation.files.scenario_file import load_scenario
 
 RIGHT = Path(__file__).parents[3] / "models" / "paper.toml"
+CRITERION = '[[criteria]]\nname = "c"\nkind = "always"\nsignal = "error.load.norm"\nbound = 1.0\n'
 LOW = [0.5, 0.0, 0.1]
 
 
@@ -31,3 +34,29 @@ def test_what_differs_from_a_right_mission_is_checked(changes: dict, words: str)
     with pytest.raises(InputError, match=words):
         load_mission(RIGHT, changes)
     load_mission(RIGHT)
+
+
+def test_links_to_files_tell_where_the_files_that_they_name_are_looked_for(tmp_path: Path) -> None:
+    """A link to a mission in another folder was refused for a crane file that is not there."""
+    shared = tmp_path / "shared"
+    shared.mkdir()
+    for name in ("paper.toml", "crane_lab.toml"):
+        shutil.copy(RIGHT.parent / name, shared)
+    link = tmp_path / "paper.toml"
+    link.symlink_to(shared / "paper.toml")
+    words = f"{link}: crane: .*No such file.*; {link} is a link, .* beside the link, not beside "
+    with pytest.raises(InputError, match=words + str(shared / "paper.toml")):
+        load_mission(link)
+    scenario, link = shared / "scenario.toml", tmp_path / "scenario.toml"
+    link.symlink_to(scenario)
+    for text in (
+        'name = "s"\nmission = "none.toml"\n' + CRITERION, 'base = "none.toml"\nevents = []',
+    ):
+        scenario.write_text(text, encoding="utf-8")
+        with pytest.raises(InputError, match=r"is a link, .* not beside"):
+            load_scenario(link)
+        with pytest.raises(InputError, match=r"No such file or directory$"):
+            load_scenario(scenario)
+    (tmp_path / "crane_lab.toml").write_text("bridge_mass = 1.0\n", encoding="utf-8")
+    with pytest.raises(InputError, match=r"crane_lab\.toml: .*missing[^;]*$"):
+        load_mission(tmp_path / "paper.toml")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -42,3 +43,30 @@ def test_what_is_none(name: str, wrong: list[Any], words: str) -> None:
 def test_pieces_of_next_to_no_length_are_the_shortest_that_can_be() -> None:
     found = segfmu.identify(LOG, CRANE, fit=["bridge.lag"], piece=[5e-324], held_out=[0.0])
     assert found.fitted[0].columns["time"].size == 50
+
+
+@pytest.mark.parametrize(("wrong", "right"), [
+    ("measured.sway.x.angel", "measured.sway.x.angle"),
+    ("Measured.Trolley.Position", "measured.trolley.position"),
+    ("measured.sway_y_angle", "measured.sway.y.angle"), ("velocity.trolly", "velocity.trolley"),
+])
+def test_columns_that_are_misspelt_are_named(wrong: str, right: str, tmp_path: Path) -> None:
+    """They were left out without a word, and the sway was fitted to nothing."""
+    log = {**LOG, wrong: np.zeros(50)}
+    file = tmp_path / "log.csv"
+    np.savetxt(file, np.stack([*log.values()]).T, delimiter=",", header=",".join(log), comments="")
+    words = f"{wrong}' is no signal; did you mean {right}"
+    for given in (log, file):
+        with pytest.raises(InputError, match=words) as told:
+            segfmu.identify(given, CRANE, fit=["bridge.lag"])
+        assert f"--column {right}={wrong}" in str(told.value)
+        segfmu.identify(given, CRANE, fit=["bridge.lag"], columns={right: wrong})
+
+
+def test_further_columns_are_no_misspelt_ones() -> None:
+    names = (
+        "sway.x.angle", "velocity.wind", "angle", "measured.bridge.velocity", "force.trolly",
+        "measured.sway.x.rate", "plan.progress", "Measured.Bridge.Position",
+    )
+    log = LOG | {name: np.zeros(50) for name in names}
+    assert segfmu.identify(log, CRANE, fit=["bridge.lag"]).fitted

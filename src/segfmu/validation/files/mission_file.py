@@ -16,11 +16,13 @@ from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import DISTURBED, Mission
 from segfmu.validation.files.mission_checks import check_waypoints
 from segfmu.validation.files.objects import plain
-from segfmu.validation.files.reading import checked, merged, read
+from segfmu.validation.files.reading import checked, merged, of_named, read
 from segfmu.validation.kept import Right
 
 # missions that were found right, but for the keys of DISTURBED
 _right = Right(64)
+# in messages, a mission that is no file
+UNNAMED = Path("mission")
 Source = str | Path | Mapping[str, Any] | Mission
 
 
@@ -143,7 +145,7 @@ def _waypoint_data(mission: Path | None, name: str) -> list[Any]:
     try:
         return [plain(point) for point in read_waypoints(path, AXES)]
     except InputError as error:
-        raise InputError(f"{mission or 'mission'}: waypoints: {error}") from None
+        raise of_named(mission or UNNAMED, "waypoints", path, error) from None
 
 
 def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
@@ -154,5 +156,5 @@ def _crane_data(mission: Path | None, name: str) -> dict[str, Any]:
         require_kind("crane", data, path)
         crane_parameters.check(checked(CraneFile, data, str(path)), str(path))
     except InputError as error:
-        raise InputError(f"{mission or 'mission'}: crane: {error}") from None
+        raise of_named(mission or UNNAMED, "crane", path, error) from None
     return data

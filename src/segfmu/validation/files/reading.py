@@ -60,6 +60,17 @@ def read(path: Path) -> dict[str, Any]:
         raise InputError(f"{path}: cannot be read: {error}") from None
 
 
+def of_named(file: Path, key: str, named: Path, error: InputError) -> InputError:
+    """The error of a file that another one names, relative to that one as it was named."""
+    link = ""
+    if file.is_symlink() and not named.exists():
+        link = (
+            f"; {file} is a link, and what it names is looked for beside the link, not beside "
+            f"{file.resolve()}"
+        )
+    return InputError(f"{file}: {key}: {error}{link}")
+
+
 def _parsed(path: Path, text: str) -> dict[str, Any]:
     """The tables of a text; integers beyond those of TOML are refused, as nothing takes them."""
     try:

@@ -12,7 +12,7 @@ from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import build_mission, read_mission
-from segfmu.validation.files.reading import checked, merged, read
+from segfmu.validation.files.reading import checked, merged, of_named, read
 from segfmu.validation.files.recording import Recording, load_recording
 from segfmu.validation.files.scenario_tables import CRANE, ScenarioFile
 
@@ -74,7 +74,7 @@ class Source:
             try:
                 self.missions[name] = read_mission(Path(name))
             except InputError as error:
-                raise InputError(f"{self.path}: mission: {error}") from None
+                raise of_named(self.path, "mission", Path(name), error) from None
         return self.missions[name]
 
 
@@ -132,7 +132,7 @@ def _recordings(path: Path, file: ScenarioFile) -> tuple[Recording | None, ...]:
         try:
             recording = None if profile.file is None else load_recording(Path(profile.file))
         except InputError as error:
-            raise InputError(f"{path}: profiles: {error}") from None
+            raise of_named(path, "profiles", Path(str(profile.file)), error) from None
         names = [str(profile.variable)] if recording is None else list(recording.columns)
         fmu = profile.fmu or (CRANE if recording is None else None)
         for name in names:
@@ -182,7 +182,7 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
         old = _inherited(path.parent / base, (*below, place))
     except InputError as error:
         # the message of a base of a base names the file that asked first
-        raise error if below else InputError(f"{path}: base: {error}") from None
+        raise error if below else of_named(path, "base", path.parent / base, error) from None
     return inherit(old, data)
 
 

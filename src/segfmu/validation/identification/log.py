@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from itertools import pairwise
 from math import pi
 from pathlib import Path
@@ -16,6 +17,7 @@ from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.signal_table import read_table, require_increasing
+from segfmu.validation.units import signal_units
 
 # m and rad
 OUTPUTS = tuple(f"measured.{signal}" for signal in SIGNALS)
@@ -27,6 +29,8 @@ FEWEST = 20
 FACTOR, FOLLOWS = 10.0, 0.9
 # usual distances of rows, from which on nobody knows what the drive was told between two
 GAP = 10.0
+# likeness of names, from which on one is the other misspelt
+MISSPELT = 0.85
 
 # a file, or columns by name
 LogSource = str | Path | Mapping[str, Any]
@@ -94,6 +98,7 @@ def read_log(
         name, table = str(source), read_table(Path(source))
     needed = [f"{drive}.{axis}" for axis in DRIVES]
     table = _renamed(name, table, columns, {"time", *needed, *OUTPUTS})
+    _require_spelt(name, table, columns, [*needed, *OUTPUTS])
     if table["time"].size < FEWEST:
         raise InputError(f"{name}: {_rows(table['time'].size)}, at least {FEWEST} are needed")
     # a velocity drive that was told nothing rests; a force is never nothing
@@ -165,6 +170,24 @@ def _renamed(
         if wrong.size:
             raise InputError(f"{where}: no number for {own} at {found['time'][wrong[0]]:.6g} s")
     return found
+
+
+def _require_spelt(
+    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], used: Sequence[str]
+) -> None:
+    """Refuse columns whose names are nearly those of signals that the table lacks.
+
+    Other columns are those of other things, as tables of a simulation have them.
+    """
+    lacking = [n for n in used if n not in table]
+    others = table.keys() - {"time", *used, *columns.values()} - signal_units().keys()
+    for name in sorted(others):
+        near = get_close_matches(name.lower(), lacking, n=1, cutoff=MISSPELT)
+        if near:
+            raise InputError(
+                f"{where}: column {shown(name)} is no signal; did you mean {near[0]}? Rename it, "
+                f"or --column {near[0]}={name}; if it is something else, leave it out"
+            )
 
 
 def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
