@@ -14,8 +14,11 @@ from segfmu.cosim.load import load
 from segfmu.errors import InputError
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.scenario import crane_values, feedforward_values
+from tests.campaign import soaked
+from tests.tables import require_length, rows_of
 
 MODELS = Path(__file__).parents[2] / "models"
+PAGE = MODELS.parent / "docs" / "cosimulation.md"
 ALONE = {"feedback.enabled": False, "drive.mode": "force"}
 
 
@@ -136,3 +139,21 @@ def test_arrays_of_fmi3_take_their_first_rows(native_fmus) -> None:
         channel = unit.channel(["waypoint.position"])
         channel.read()
         assert channel.values[:6].tolist() == [0.1, 0.2, -0.6, 0.07, 0.055, -0.5]
+
+
+COUPLINGS: tuple[dict[str, Any], ...] = (
+    {"coupling": "sequential", "events": False}, {"coupling": "sequential"}, {},
+)
+TOLD = rows_of(PAGE, "mission, ramps")
+
+
+@pytest.mark.parametrize("row", [TOLD[0], *soaked(*TOLD[1:])], ids=lambda row: " ".join(row[:2]))
+def test_errors_of_the_couplings_are_as_told(native_fmus, row: list[str]) -> None:
+    """Steps of 8 to 0.5 ms; told is the error at 1 ms, and its order where errors have one."""
+    name, shape = row[0].lower().replace(" ", "_").split(",_")
+    steps = 8e-3 / 2.0 ** np.arange(5)
+    for told, options in zip(row[2:], COUPLINGS, strict=True):
+        length, _, order = told.partition(", ")
+        found, fitted = errors(native_fmus, steps, name, int(row[1]), shape, **options)
+        require_length(length, float(found[3]))
+        assert not order or fitted == pytest.approx(float(order), abs=0.3), (told, fitted)

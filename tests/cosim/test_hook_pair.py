@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import numpy as np
 import pytest
 
 from segfmu.cosim import simulate
+from segfmu.validation.files.mission_file import load_mission
+from segfmu.validation.scenario import crane_values, feedforward_values
+from tests.tables import require_length, rows_of
+
+ROOT = Path(__file__).parents[2]
 
 # s; the load has arrived a second before
 STOP = 9.0
@@ -49,3 +57,25 @@ def test_feedback_calms_another_load_on_another_sling(hook_fmus) -> None:
     ]
     assert swings[0] > 5e-3
     assert swings[1] < 1.5e-3
+
+
+def test_errors_are_as_told(hook_fmus) -> None:
+    ideal = {
+        f"drive.{d}.{n}": 0.0 for d in ("bridge", "trolley", "hoist") for n in ("lag", "dead_time")
+    }
+    for name, step, *told in rows_of(ROOT / "docs" / "cosimulation.md", "mission"):
+        file = name.partition(",")[0].strip("`")
+        planner: dict[str, Any] = {}
+        crane, stop = ideal, STOP
+        if file.endswith(".toml"):
+            mission = load_mission(ROOT / file)
+            plan = mission.plan()
+            planner, crane = feedforward_values(mission, plan), crane_values(mission) | ideal
+            stop = plan.duration + 0.5
+        for mode, length in zip(("force", "velocity"), told, strict=True):
+            rows = simulate(
+                *hook_fmus[2], stop_time=stop, step=1e-3 * float(step.removesuffix(" ms")),
+                source_values=planner,
+                sink_values=crane | {"feedback.enabled": False, "drive.mode": mode},
+            )
+            require_length(length, rows["error.load.norm"].max())
