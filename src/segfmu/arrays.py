@@ -103,8 +103,10 @@ def finite_times(t: ArrayLike) -> FloatArray:
 
 
 def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
-    """Return a sequence as a tuple."""
+    """Return a sequence as a tuple; mappings, tables and bytes are none."""
     try:
+        if isinstance(value, Mapping | bytes) or hasattr(value, "columns"):
+            raise TypeError
         return tuple(value)
     except TypeError:
         raise InputError(f"{name} must be a sequence, got {shown(value)}") from None

@@ -58,6 +58,7 @@ def test_messages_show_what_was_given(given, words: str) -> None:
     (lambda: Clearance([], ["a", 1, 2]), "workspace: minimum must be a number or a list of"),
     (lambda: Clearance([], [[1, 2], [1], 3]), "workspace: minimum must be a number or a list of"),
     (lambda: Clearance(Obstacle("a", [0, 0, 0], [1, 1, 1])), "obstacles must be a sequence"),
+    (lambda: Clearance({"stack": None}), "obstacles must be a sequence, got {'stack': None}"),
     (lambda: Clearance(None), "obstacles must be a sequence, got None"),
 ])
 def test_clearances_that_are_none(given, words: str) -> None:

@@ -36,6 +36,7 @@ def test_limits_of_a_mission_are_those_of_three_axes() -> None:
     ([], "no scenarios; name files"), ((), "no scenarios; name files"),
     (None, "scenarios must be a sequence, got None"),
     ([None], "scenarios must be files or folders, got None"), (5, "scenarios must be a sequence"),
+    ({"name": "s"}, "scenarios must be a sequence, got {'name': 's'}"),
 ])
 def test_scenarios_that_are_none(scenarios, words: str) -> None:
     with pytest.raises(InputError, match=words):

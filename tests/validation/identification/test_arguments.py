@@ -20,7 +20,7 @@ LOG = {
 
 @pytest.mark.parametrize(("name", "wrong", "words"), [
     ("crane", [None, 5, [CRANE]], "crane must be a file or a dict, got"),
-    ("logs", [None, 5], "logs must be a sequence, got"),
+    ("logs", [None, 5, b"log.csv"], "logs must be a sequence, got"),
     ("logs", [[5], [None]], "log 1 must be a file or a dict of columns, got"),
     ("logs", [{**LOG, "time": 0.0}], "log 1: time must be a list of numbers"),
     ("fit", [5], "fit must be a sequence, got 5"),
@@ -70,3 +70,13 @@ def test_further_columns_are_no_misspelt_ones() -> None:
     )
     log = LOG | {name: np.zeros(50) for name in names}
     assert segfmu.identify(log, CRANE, fit=["bridge.lag"]).fitted
+
+
+def test_tables_of_other_packages_are_no_lists_of_logs() -> None:
+    """The names of their columns were taken for files, and their rows for logs."""
+    rows = np.rec.fromarrays(list(LOG.values()), names=list(LOG))
+    for table in (pytest.importorskip("pandas").DataFrame(LOG), rows):
+        with pytest.raises(InputError, match="logs must be files or dicts of columns, got "):
+            segfmu.identify(table, CRANE, fit=["bridge.lag"])
+        columns = {name: table[name] for name in LOG}
+        assert segfmu.identify(columns, CRANE, fit=["bridge.lag"]).fitted

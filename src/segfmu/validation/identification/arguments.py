@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from segfmu.arrays import as_names, as_tuple, require_mapping, shown
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
@@ -46,7 +48,12 @@ def crane_of(source: str | Path | Mapping[str, Any]) -> tuple[CraneFile, Path | 
 def logs_of(
     logs: LogSource | Sequence[LogSource], file: CraneFile, columns: Mapping[str, str]
 ) -> list[Log]:
-    """All logs."""
+    """All logs; a table of another package is none, and its parts are none either."""
+    if isinstance(logs, np.ndarray) or hasattr(logs, "columns"):
+        raise InputError(
+            f"logs must be files or dicts of columns, got {type(logs).__name__}; give a dict of "
+            "its columns by their names"
+        )
     sources = [logs] if isinstance(logs, str | Path | Mapping) else as_tuple("logs", logs)
     if not sources:
         raise InputError("no logs; name at least one")
