@@ -104,20 +104,24 @@ def finite_times(t: ArrayLike) -> FloatArray:
 
 def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
     """Return a sequence as a tuple; mappings, tables and bytes are none."""
-    try:
-        if isinstance(value, Mapping | bytes) or hasattr(value, "columns"):
-            raise TypeError
-        return tuple(value)
-    except TypeError:
-        raise InputError(f"{name} must be a sequence, got {shown(value)}") from None
+    if isinstance(value, Mapping | bytes) or hasattr(value, "columns"):
+        raise InputError(f"{name} must be a sequence, got {shown(value)}")
+    return _as_tuple(name, value)
 
 
 def as_names(name: str, value: Any) -> tuple[str, ...]:
     """Return a sequence of names as a tuple; a single name is none."""
-    found = () if isinstance(value, str) else as_tuple(name, value)
+    found = () if isinstance(value, str) else _as_tuple(name, value)
     if isinstance(value, str) or not all(isinstance(v, str) for v in found):
         raise InputError(f"{name} must be a sequence of names, got {shown(value)}")
     return found
+
+
+def _as_tuple(name: str, value: Any) -> tuple[Any, ...]:
+    try:
+        return tuple(value)
+    except TypeError:
+        raise InputError(f"{name} must be a sequence, got {shown(value)}") from None
 
 
 def as_index(name: str, value: Any, most: float = inf, *, least: int = 0) -> int:

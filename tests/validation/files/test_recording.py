@@ -33,7 +33,16 @@ def test_a_row_is_held_and_only_what_changes_is_set(tmp_path: Path) -> None:
         list(found.changes({"planner": variables["planner"]}))
 
 
+def test_units_are_left_out_of_names_as_in_other_tables(tmp_path: Path) -> None:
+    """A table that `segfmu simulate` wrote had no column time."""
+    found = load_recording(written(tmp_path, "time [s],wind.x [N],command.mode\n0,1.5,stop\n"))
+    assert (found.times, found.columns) == ((0.0,), {"wind.x": (1.5,), "command.mode": ("stop",)})
+
+
 WRONG = {
+    "time [ms],a\n0,1\n": "column time is in ms; give it in s",
+    "time,wind.x [kN]\n0,1\n": "column wind.x is in kN; give it in N",
+    "time,a,a [m]\n0,1,2\n": "two columns are called 'a'",
     "": "empty; the first line names the columns",
     "wind.x\n0\n": "has no column time",
     "time\n0\n": "has no column beside time",

@@ -1,7 +1,7 @@
 """Recordings: CSV files of variables that change during a run, such as an operator's commands.
 
 The column "time" has times [s]; the others are variables. A row is held until the next one. Columns
-are separated by commas, semicolons or tabs.
+are separated by commas, semicolons or tabs. Units in brackets behind names are left out.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from pathlib import Path
 from segfmu.arrays import shown
 from segfmu.cosim import Change
 from segfmu.errors import InputError, meant
-from segfmu.planning.rows import read_rows
+from segfmu.planning.rows import read_rows, without_units
+from segfmu.validation.units import signal_units
 
 TIME = "time"
 Cell = float | bool | str
@@ -89,7 +90,8 @@ def load_recording(path: Path) -> Recording:
     lines = read_rows(path)
     if not lines:
         raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
-    (_, names), *rows = lines
+    (_, cells), *rows = lines
+    names = without_units(cells, signal_units(), str(path))
     _require_header(path, names)
     if not rows:
         raise InputError(f"{path}: has no rows below its header")
