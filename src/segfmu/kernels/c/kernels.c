@@ -1017,14 +1017,6 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
 static void project_out(int64_t unit, int64_t row, array_double_2d basis);
 static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square);
-static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
-static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
-static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells);
-static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells);
-static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
-static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
-static bool runs_backwards(array_double_2d spans);
-static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
 static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square);
 static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
@@ -1045,6 +1037,7 @@ static void write_tracks(array_double_2d limits, array_double_2d lower, array_do
 static double limit_share(int64_t order, double degree, bool smoothstep);
 static void write_box_scale(double first, array_double_2d link);
 static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans);
+static double highest_state(int64_t field, double limit);
 static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried);
 static double gap_of(int64_t place);
 static bool may_beat(double known, int64_t place, double total);
@@ -1052,6 +1045,14 @@ static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_
 static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool tighten_path(array_double_2d spans);
 static void search_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
+static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
+static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells);
+static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells);
+static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static bool runs_backwards(array_double_2d spans);
+static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
@@ -18226,7 +18227,7 @@ static double invert_curved_part(double value, double upper, array_double_1d axi
         if (slope > 0.0)
         {
             newton = (value - at) / slope;
-            if ((s + newton > low) && (s + newton < high))
+            if ((s + newton >= low) && (s + newton <= high))
             {
                 step = newton;
             }
@@ -18284,7 +18285,7 @@ static double crossing_time(double a, double length, double jerk, double snap, d
         if (slope * a < 0.0)
         {
             newton = (-at) / slope;
-            if ((t + newton > low) && (t + newton < high))
+            if ((t + newton >= low) && (t + newton <= high))
             {
                 step = newton;
             }
@@ -20817,7 +20818,7 @@ static double zero_time(int64_t order, int64_t top, double length, array_double_
         if (slope != 0.0)
         {
             newton = (-value) / slope;
-            if ((t + newton > lower) && (t + newton < upper))
+            if ((t + newton >= lower) && (t + newton <= upper))
             {
                 step = newton;
             }
@@ -22637,7 +22638,6 @@ static void newton_step(int64_t count, array_double_1d problem, array_double_1d 
     {
         pace_column(count, problem, axis, work);
     }
-    (*cspan_at(&work, INT64_C(200), INT64_C(4))) = (*cspan_at(&work, INT64_C(200), INT64_C(4))) + 1.0;
     for (j = INT64_C(0); j < (int64_t)((*cspan_at(&passing, INT64_C(0)))); j += INT64_C(1))
     {
         if (((*cspan_at(&passing, INT64_C(14))) != 0.0) || ((*cspan_at(&passing, INT64_C(6))) != 0.0))
@@ -22760,6 +22760,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     double error;
     bool quick;
     double earlier;
+    double spent;
     int64_t i;
     double share;
     double grid;
@@ -22777,6 +22778,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
     error = residual_norm(count, residual);
     quick = ramps_suffice(axis) || ((*cspan_at(&passing, INT64_C(13))) != 0.0);
     earlier = error;
+    spent = (*cspan_at(&work, INT64_C(200), INT64_C(4))) + 1.0;
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         if (error <= 2e-15)
@@ -22797,6 +22799,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         if (error > 0.0001)
         {
             grid = 1e-10;
+            spent = spent + 1.0;
         }
         reached = error;
         for (j = INT64_C(0); j < INT64_C(8); j += INT64_C(1))
@@ -22822,6 +22825,7 @@ static bool solve_sequence(array_double_1d problem, array_double_1d axis, array_
         }
         error = reached;
     }
+    (*cspan_at(&work, INT64_C(200), INT64_C(4))) = spent;
     return error <= 1e-12;
 }
 static void keep_sequence(int64_t row, array_double_2d work)
@@ -31457,233 +31461,6 @@ static void write_grid(int64_t order, array_double_2d grid, array_double_2d squa
         }
     }
 }
-static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links)
-{
-    int64_t place;
-    int64_t i;
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        i = place * axes.shape[INT64_C(0)] + axis;
-        if (back)
-        {
-            (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(0)));
-            (*cspan_at(&cells, i, INT64_C(67), INT64_C(6))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(1)));
-        }
-        else
-        {
-            (*cspan_at(&links, i, INT64_C(22), INT64_C(0))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(0)));
-            (*cspan_at(&links, i, INT64_C(22), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(6)));
-        }
-    }
-}
-static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells)
-{
-    int64_t place;
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        (*cspan_at(&cells, place * axes.shape[INT64_C(0)] + axis, INT64_C(67), INT64_C(4))) = 1.0;
-    }
-}
-static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells)
-{
-    int64_t count;
-    int64_t first;
-    (*cspan_at(&states, point, axis, INT64_C(1) + field)) = value;
-    count = axes.shape[INT64_C(0)];
-    first = (point - INT64_C(1)) * count;
-    set_problems(span_layers(&states, point - INT64_C(1), point + INT64_C(2)), span_layers(&cells, first, first + INT64_C(2) * count));
-}
-static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells)
-{
-    int64_t other;
-    double longest;
-    longest = 0.0;
-    for (other = INT64_C(0); other < axes.shape[INT64_C(0)]; other += INT64_C(1))
-    {
-        if (other != without)
-        {
-            longest = span_max(longest, shortest_of(place, other, axes, cells));
-        }
-    }
-    return longest;
-}
-static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
-{
-    double least;
-    int64_t place;
-    double others;
-    double shortest;
-    double most;
-    double found;
-    double result;
-    least = 0.0;
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        least = least + longest_of(place, axis, axes, cells);
-    }
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        if (!(least < (*cspan_at(&path, INT64_C(14)))))
-        {
-            return 1e+300;
-        }
-        if (!plan_alone(place, axis, axes, cells, work))
-        {
-            return 1e+300;
-        }
-        others = longest_of(place, axis, axes, cells);
-        least = least + span_max(shortest_of(place, axis, axes, cells) - others, 0.0);
-    }
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        shortest = span_max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells));
-        most = (*cspan_at(&path, INT64_C(14))) - (least - shortest);
-        found = common_length(place, most, axes, cells, work);
-        if (found >= 1e+300)
-        {
-            return 1e+300;
-        }
-        (*cspan_at(&spans, place, INT64_C(11))) = found;
-        least = least + (found - shortest);
-    }
-    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-    {
-        if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, work))
-        {
-            return 1e+300;
-        }
-    }
-    result = (*cspan_at(&spans, point - INT64_C(1), INT64_C(11))) + (*cspan_at(&spans, point, INT64_C(11)));
-    return result;
-}
-static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
-{
-    int64_t point;
-    int64_t axis;
-    double high;
-    double low;
-    double least;
-    double move;
-    double before;
-    int64_t trial;
-    double here;
-    double value;
-    double found;
-    int64_t place;
-    point = span_floor_div(spot, axes.shape[INT64_C(0)]);
-    axis = span_floor_mod(spot, axes.shape[INT64_C(0)]);
-    high = (*cspan_at(&axes, axis, INT64_C(2) + field));
-    low = -(*cspan_at(&axes, axis, INT64_C(9) + field));
-    least = (*cspan_at(&spans, point - INT64_C(1), INT64_C(10))) + (*cspan_at(&spans, point, INT64_C(10)));
-    move = (*cspan_at(&path, INT64_C(16))) * 0.5 * (high - low);
-    before = 1e+300;
-    for (trial = INT64_C(0); trial < INT64_C(1000); trial += INT64_C(1))
-    {
-        here = (*cspan_at(&states, point, axis, INT64_C(1) + field));
-        value = span_min(span_max(here + move, low), high);
-        keep_cells(point, axis, 0, axes, cells, links);
-        set_state(value, point, axis, field, states, axes, cells);
-        (*cspan_at(&path, INT64_C(14))) = least * (1.0 - 1e-06);
-        found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
-        if ((trial > INT64_C(1)) && (found < 1e+300))
-        {
-            least = found;
-            for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
-            {
-                (*cspan_at(&spans, place, INT64_C(10))) = (*cspan_at(&spans, place, INT64_C(11)));
-            }
-            continue;
-        }
-        set_state(here, point, axis, field, states, axes, cells);
-        keep_cells(point, axis, 1, axes, cells, links);
-        forget_profiles(point, axis, axes, cells);
-        if (trial > INT64_C(1))
-        {
-            return;
-        }
-        if (trial == INT64_C(0))
-        {
-            before = found;
-            move = -move;
-        }
-        else if ((before >= 1e+300) && (found >= 1e+300))
-        {
-            return;
-        }
-        else if (before <= found)
-        {
-            move = -move;
-        }
-    }
-}
-static bool runs_backwards(array_double_2d spans)
-{
-    int64_t count;
-    double longest;
-    int64_t j;
-    double ahead;
-    count = spans.shape[INT64_C(0)];
-    longest = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        longest = span_max(longest, (*cspan_at(&spans, j, INT64_C(10))));
-    }
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
-    {
-        ahead = (*cspan_at(&spans, j, INT64_C(10))) - (*cspan_at(&spans, count - INT64_C(1) - j, INT64_C(10)));
-        if (fabs(ahead) > 1e-06 * longest)
-        {
-            return ahead < 0.0;
-        }
-    }
-    return 0;
-}
-static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
-{
-    int64_t count;
-    int64_t last;
-    int64_t sweep;
-    bool backwards;
-    int64_t k;
-    int64_t point;
-    int64_t spot;
-    int64_t field;
-    int64_t j;
-    double total;
-    count = axes.shape[INT64_C(0)];
-    last = states.shape[INT64_C(0)] - INT64_C(1);
-    plan_lengths(states, spans, axes, cells, work);
-    (*cspan_at(&path, INT64_C(16))) = 0.03;
-    for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
-    {
-        backwards = runs_backwards(spans);
-        for (k = INT64_C(1); k < last; k += INT64_C(1))
-        {
-            point = k;
-            if (backwards)
-            {
-                point = last - k;
-            }
-            for (spot = point * count; spot < (point + INT64_C(1)) * count; spot += INT64_C(1))
-            {
-                for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
-                {
-                    if ((*cspan_at(&spots, spot, INT64_C(2), field)) != 0.0)
-                    {
-                        polish_state(spot, field, states, path, links, spans, axes, cells, timing, coefficients, work);
-                    }
-                }
-            }
-        }
-        (*cspan_at(&path, INT64_C(16))) = 0.32 * (*cspan_at(&path, INT64_C(16)));
-    }
-    total = 0.0;
-    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
-    {
-        total = total + (*cspan_at(&spans, j, INT64_C(10)));
-    }
-    return total;
-}
 static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square)
 {
     int64_t derivative;
@@ -32310,6 +32087,14 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
         }
     }
 }
+static double highest_state(int64_t field, double limit)
+{
+    if (field == INT64_C(1))
+    {
+        return limit * (1.0 - 1.0 / 65536.0);
+    }
+    return limit;
+}
 static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried)
 {
     int64_t count;
@@ -32321,6 +32106,8 @@ static void write_tried(array_double_3d given, array_double_1d path, array_doubl
     double share;
     double digits;
     double state;
+    double high;
+    double low;
     count = (int64_t)((*cspan_at(&path, INT64_C(3))));
     for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
     {
@@ -32341,6 +32128,9 @@ static void write_tried(array_double_3d given, array_double_1d path, array_doubl
                     digits = -digits;
                 }
                 state = digits * (*cspan_at(&tracks, axis, INT64_C(50) + field));
+                high = highest_state(field, (*cspan_at(&tracks, axis, INT64_C(2) + field)));
+                low = -highest_state(field, (*cspan_at(&tracks, axis, INT64_C(9) + field)));
+                state = span_min(span_max(state, low), high);
                 (*cspan_at(&tried, point, axis, INT64_C(1) + field)) = state;
             }
         }
@@ -32523,6 +32313,233 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
         }
         (*cspan_at(&path, INT64_C(10))) = resting;
     }
+}
+static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links)
+{
+    int64_t place;
+    int64_t i;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        i = place * axes.shape[INT64_C(0)] + axis;
+        if (back)
+        {
+            (*cspan_at(&cells, i, INT64_C(67), INT64_C(0))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(0)));
+            (*cspan_at(&cells, i, INT64_C(67), INT64_C(6))) = (*cspan_at(&links, i, INT64_C(22), INT64_C(1)));
+        }
+        else
+        {
+            (*cspan_at(&links, i, INT64_C(22), INT64_C(0))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(0)));
+            (*cspan_at(&links, i, INT64_C(22), INT64_C(1))) = (*cspan_at(&cells, i, INT64_C(67), INT64_C(6)));
+        }
+    }
+}
+static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells)
+{
+    int64_t place;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        (*cspan_at(&cells, place * axes.shape[INT64_C(0)] + axis, INT64_C(67), INT64_C(4))) = 1.0;
+    }
+}
+static void set_state(double value, int64_t point, int64_t axis, int64_t field, array_double_3d states, array_double_2d axes, array_double_3d cells)
+{
+    int64_t count;
+    int64_t first;
+    (*cspan_at(&states, point, axis, INT64_C(1) + field)) = value;
+    count = axes.shape[INT64_C(0)];
+    first = (point - INT64_C(1)) * count;
+    set_problems(span_layers(&states, point - INT64_C(1), point + INT64_C(2)), span_layers(&cells, first, first + INT64_C(2) * count));
+}
+static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells)
+{
+    int64_t other;
+    double longest;
+    longest = 0.0;
+    for (other = INT64_C(0); other < axes.shape[INT64_C(0)]; other += INT64_C(1))
+    {
+        if (other != without)
+        {
+            longest = span_max(longest, shortest_of(place, other, axes, cells));
+        }
+    }
+    return longest;
+}
+static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
+{
+    double least;
+    int64_t place;
+    double others;
+    double shortest;
+    double most;
+    double found;
+    double result;
+    least = 0.0;
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        least = least + longest_of(place, axis, axes, cells);
+    }
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        if (!(least < (*cspan_at(&path, INT64_C(14)))))
+        {
+            return 1e+300;
+        }
+        if (!plan_alone(place, axis, axes, cells, work))
+        {
+            return 1e+300;
+        }
+        others = longest_of(place, axis, axes, cells);
+        least = least + span_max(shortest_of(place, axis, axes, cells) - others, 0.0);
+    }
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        shortest = span_max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells));
+        most = (*cspan_at(&path, INT64_C(14))) - (least - shortest);
+        found = common_length(place, most, axes, cells, work);
+        if (found >= 1e+300)
+        {
+            return 1e+300;
+        }
+        (*cspan_at(&spans, place, INT64_C(11))) = found;
+        least = least + (found - shortest);
+    }
+    for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+    {
+        if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, work))
+        {
+            return 1e+300;
+        }
+    }
+    result = (*cspan_at(&spans, point - INT64_C(1), INT64_C(11))) + (*cspan_at(&spans, point, INT64_C(11)));
+    return result;
+}
+static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
+{
+    int64_t point;
+    int64_t axis;
+    double high;
+    double low;
+    double least;
+    double move;
+    double before;
+    int64_t trial;
+    double here;
+    double value;
+    double found;
+    int64_t place;
+    point = span_floor_div(spot, axes.shape[INT64_C(0)]);
+    axis = span_floor_mod(spot, axes.shape[INT64_C(0)]);
+    high = highest_state(field, (*cspan_at(&axes, axis, INT64_C(2) + field)));
+    low = -highest_state(field, (*cspan_at(&axes, axis, INT64_C(9) + field)));
+    least = (*cspan_at(&spans, point - INT64_C(1), INT64_C(10))) + (*cspan_at(&spans, point, INT64_C(10)));
+    move = (*cspan_at(&path, INT64_C(16))) * 0.5 * (high - low);
+    before = 1e+300;
+    for (trial = INT64_C(0); trial < INT64_C(1000); trial += INT64_C(1))
+    {
+        here = (*cspan_at(&states, point, axis, INT64_C(1) + field));
+        value = span_min(span_max(here + move, low), high);
+        keep_cells(point, axis, 0, axes, cells, links);
+        set_state(value, point, axis, field, states, axes, cells);
+        (*cspan_at(&path, INT64_C(14))) = least * (1.0 - 1e-06);
+        found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
+        if ((trial > INT64_C(1)) && (found < 1e+300))
+        {
+            least = found;
+            for (place = point - INT64_C(1); place < point + INT64_C(1); place += INT64_C(1))
+            {
+                (*cspan_at(&spans, place, INT64_C(10))) = (*cspan_at(&spans, place, INT64_C(11)));
+            }
+            continue;
+        }
+        set_state(here, point, axis, field, states, axes, cells);
+        keep_cells(point, axis, 1, axes, cells, links);
+        forget_profiles(point, axis, axes, cells);
+        if (trial > INT64_C(1))
+        {
+            return;
+        }
+        if (trial == INT64_C(0))
+        {
+            before = found;
+            move = -move;
+        }
+        else if ((before >= 1e+300) && (found >= 1e+300))
+        {
+            return;
+        }
+        else if (before <= found)
+        {
+            move = -move;
+        }
+    }
+}
+static bool runs_backwards(array_double_2d spans)
+{
+    int64_t count;
+    double longest;
+    int64_t j;
+    double ahead;
+    count = spans.shape[INT64_C(0)];
+    longest = 0.0;
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        longest = span_max(longest, (*cspan_at(&spans, j, INT64_C(10))));
+    }
+    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    {
+        ahead = (*cspan_at(&spans, j, INT64_C(10))) - (*cspan_at(&spans, count - INT64_C(1) - j, INT64_C(10)));
+        if (fabs(ahead) > 1e-06 * longest)
+        {
+            return ahead < 0.0;
+        }
+    }
+    return 0;
+}
+static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work)
+{
+    int64_t count;
+    int64_t last;
+    int64_t sweep;
+    bool backwards;
+    int64_t k;
+    int64_t point;
+    int64_t spot;
+    int64_t field;
+    int64_t j;
+    double total;
+    count = axes.shape[INT64_C(0)];
+    last = states.shape[INT64_C(0)] - INT64_C(1);
+    plan_lengths(states, spans, axes, cells, work);
+    (*cspan_at(&path, INT64_C(16))) = 0.03;
+    for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
+    {
+        backwards = runs_backwards(spans);
+        for (k = INT64_C(1); k < last; k += INT64_C(1))
+        {
+            point = k;
+            if (backwards)
+            {
+                point = last - k;
+            }
+            for (spot = point * count; spot < (point + INT64_C(1)) * count; spot += INT64_C(1))
+            {
+                for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
+                {
+                    if ((*cspan_at(&spots, spot, INT64_C(2), field)) != 0.0)
+                    {
+                        polish_state(spot, field, states, path, links, spans, axes, cells, timing, coefficients, work);
+                    }
+                }
+            }
+        }
+        (*cspan_at(&path, INT64_C(16))) = 0.32 * (*cspan_at(&path, INT64_C(16)));
+    }
+    total = 0.0;
+    for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
+    {
+        total = total + (*cspan_at(&spans, j, INT64_C(10)));
+    }
+    return total;
 }
 static int64_t check_limits(array_double_2d limits, array_double_1d report)
 {

@@ -12,6 +12,7 @@ from segfmu.kernels.passage.judge import (
     shortest_of,
 )
 from segfmu.kernels.passage.records import Free, Link, Path, Spot, Stretch
+from segfmu.kernels.passage.search import highest_state
 from segfmu.kernels.planner.plan import set_problems
 from segfmu.kernels.planner.records import Axis, Cell, Interval, WaypointState
 
@@ -109,8 +110,8 @@ def polish_state(
     """Move a state of a spot within its limits, the way that gains more, as long as it gains."""
     point = spot // axes.shape[0]
     axis = spot % axes.shape[0]
-    high = axes[axis, Axis.VELOCITY + field]
-    low = -axes[axis, Axis.LOWER + field]
+    high = highest_state(field, axes[axis, Axis.VELOCITY + field])
+    low = -highest_state(field, axes[axis, Axis.LOWER + field])
     least = spans[point - 1, Stretch.LENGTH] + spans[point, Stretch.LENGTH]
     move = path[Path.STEP] * 0.5 * (high - low)
     before = NEVER

@@ -24,7 +24,7 @@ from segfmu.kernels.passage.records import (
     Tools,
     Track,
 )
-from segfmu.kernels.planner.records import PlanOptions, Shape, WaypointState
+from segfmu.kernels.planner.records import Axis, PlanOptions, Shape, WaypointState
 from segfmu.kernels.trajectory.records import MotionWork
 
 # of a path, see gap_of
@@ -175,7 +175,21 @@ def write_tried(
                 if share < 0.0:
                     digits = -digits
                 state = digits * tracks[axis, Track.LIMIT + field]
+                high = highest_state(field, tracks[axis, Axis.VELOCITY + field])
+                low = -highest_state(field, tracks[axis, Axis.LOWER + field])
+                state = min(max(state, low), high)
                 tried[point, axis, WaypointState.VELOCITY + field] = state
+
+
+def highest_state(field: int, limit: float) -> float:
+    """The most that is chosen of a limit: all of the velocity's, nearly all of the acceleration's.
+
+    At the limit itself the end of a plateau and that of the interval are one condition, and what
+    Newton's method finds then depends on rounding.
+    """
+    if field == Free.ACCELERATION:
+        return limit * (1.0 - 1.0 / DIGITS)
+    return limit
 
 
 def gap_of(place: int) -> float:

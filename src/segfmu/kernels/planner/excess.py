@@ -45,7 +45,7 @@ def zero_time(order: int, top: int, length: float, state: 'float[:]') -> float:
         slope = taylor_value(order + 1, top, t, state)
         if slope != 0.0:
             newton = -value / slope
-            if t + newton > lower and t + newton < upper:
+            if t + newton >= lower and t + newton <= upper:
                 step = newton
         t = t + step
         if abs(step) <= PEAK * length:

@@ -37,6 +37,8 @@ SOLVED = 1e-12
 BESIDE = 1e-11
 NEAR = 1e-4
 GRID = 1e-10
+# steps that count for those beyond NEAR: rounding decides how many they are
+LAST_STEPS = 1.0
 # what a step has to take off an error, as a share of its length
 GAINED = 1e-4
 
@@ -148,7 +150,6 @@ def newton_step(
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
     if has_pace(passing):
         pace_column(count, problem, axis, work)
-    work[PlanWork.TIGHTEN, Tighten.STEPS] = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for j in range(int(passing[Passing.COUNT])):
         if passing[Passing.INSTANTS] != 0.0 or passing[Passing.FREE] != 0.0:
             whole_column(j, count, problem, axis, work)
@@ -234,6 +235,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     error = residual_norm(count, residual)
     quick = ramps_suffice(axis) or passing[Passing.QUICK] != 0.0
     earlier = error
+    spent = work[PlanWork.TIGHTEN, Tighten.STEPS] + LAST_STEPS
     for i in range(STEPS):
         # what is left are rounding errors
         if error <= ROUNDED:
@@ -250,6 +252,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
         grid = 0.0
         if error > NEAR:
             grid = GRID
+            spent = spent + 1.0
         reached = error
         for j in range(HALVINGS):
             # at the root only rounding errors are left
@@ -267,4 +270,5 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
             run_sequence(problem, passing, axis, nodes, residual)
             break
         error = reached
+    work[PlanWork.TIGHTEN, Tighten.STEPS] = spent
     return error <= SOLVED

@@ -45,7 +45,7 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
         step = 0.5 * (low + high) - s
         if slope > 0.0:
             newton = (value - at) / slope
-            if s + newton > low and s + newton < high:
+            if s + newton >= low and s + newton <= high:
                 step = newton
         s = s + step
         if abs(step) <= PEAK:
@@ -166,7 +166,7 @@ def crossing_time(
         step = 0.5 * (low + high) - t
         if slope * a < 0.0:
             newton = -at / slope
-            if t + newton > low and t + newton < high:
+            if t + newton >= low and t + newton <= high:
                 step = newton
         t = t + step
         if abs(step) <= PEAK_OF_PIECE * length:
