@@ -115,7 +115,9 @@ def test_damaged_and_foreign_states_are_refused(native_fmus, fmi: int, index: in
         start(other, 1 - index)
         good = serialised(fmu)
         for bad, words in (
-            (good[:-8], "damaged"),
+            (good[:-8], f"damaged: its header is that of {len(good)} bytes, there are {len(good) - 8}"),
+            (good[:-1], f"there are {len(good) - 1}"),
+            (good + b"\0", f"there are {len(good) + 1}"),
             (good[: len(good) // 2] + b"\1" + good[len(good) // 2 + 1 :], "damaged"),
             (b"", "0 bytes are not a saved state"),
             (b"nonsense" * 10, "no saved state"),
@@ -361,3 +363,14 @@ def test_outputs_are_there_in_initialisation_mode(native_fmus) -> None:
             fmu.set({"crane.payload_mass": 2.0})
             assert fmu.get("force.hoist")[0] == pytest.approx(-19.62)
             assert fmu.get("plan.duration")[0] == pytest.approx(3.967, abs=1e-3)
+
+
+@each
+def test_to_free_no_state_is_allowed(native_fmus, fmi: int, index: int) -> None:
+    """Both standards: a null pointer is ignored."""
+    with Importer(native_fmus[fmi][index]) as fmu:
+        free = fmu.fmu.dll.fmi3FreeFMUState if fmu.three else fmu.fmu.dll.fmi2FreeFMUstate
+        nothing = ctypes.c_void_p()
+        assert free(ctypes.c_void_p(fmu.fmu.component), ctypes.byref(nothing)) == 0
+        assert free(ctypes.c_void_p(fmu.fmu.component), None) == 0
+        assert fmu.messages == []

@@ -195,8 +195,13 @@ bool glue_deserialise(instance *c, const void *bytes, size_t size, void **state)
     if (!fits(c, &head)) {
         return false;
     }
+    if (head.size != size - sizeof head) {
+        glue_log(c, STATUS_ERROR, "the saved state is damaged: its header is that of %.0f bytes, there "
+                 "are %lu", (double)sizeof head + (double)head.size, (unsigned long)size);
+        return false;
+    }
     const char *block = (const char *)bytes + sizeof head;
-    if (head.size > size - sizeof head || head.sum != checksum(block, (size_t)head.size)) {
+    if (head.sum != checksum(block, (size_t)head.size)) {
         glue_log(c, STATUS_ERROR, "the bytes of the saved state are damaged");
         return false;
     }
