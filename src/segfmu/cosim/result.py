@@ -13,24 +13,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.errors import InputError
+from segfmu.folders import work_folder
 
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Give a temporary path beside `path` to write to; on success it replaces `path`.
+    """Give a temporary path to write to; on success its file becomes that of `path`.
+
+    It replaces a file, also one that `path` is a link to; a device or a pipe gets the bytes.
 
     Raises
     ------
     InputError
         If the file cannot be written.
     """
-    # others may write to the same file
-    temporary = path.with_name(f"{path.name}.{token_hex(4)}.part")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        if path.exists() and not path.is_file() and not path.is_dir():
+            with work_folder() as folder:
+                temporary = folder / path.name
+                yield temporary
+                with path.open("wb") as device:
+                    device.write(temporary.read_bytes())
+            return
+        place = Path(os.path.realpath(path))
+        # others may write to the same file
+        temporary = place.with_name(f"{place.name}.{token_hex(4)}.part")
+        place.parent.mkdir(parents=True, exist_ok=True)
         try:
             yield temporary
-            os.replace(temporary, path)
+            os.replace(temporary, place)
         finally:
             temporary.unlink(missing_ok=True)
     except OSError as error:
