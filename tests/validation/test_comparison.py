@@ -40,6 +40,11 @@ def test_what_is_no_number_is_named() -> None:
     assert str(found) == "a is not a number at 0.7 s"
     with pytest.raises(InputError, match=r"the reference has no number for a at 0\.7 s"):
         compare(ramp(), hole, tube_time=0.0, tube_value=0.1)
+    # every tube that is a share of it would be infinite
+    for endless in (np.inf, -np.inf):
+        far = ramp() | {"a": np.where(np.arange(TIMES.size) == 700, endless, 1.0)}
+        with pytest.raises(InputError, match=r"the reference has no number for a at 0\.7 s"):
+            compare(ramp(), far, tube_time=0.0, tube_value=None)
 
 
 def test_the_first_signal_its_time_and_excess() -> None:

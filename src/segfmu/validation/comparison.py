@@ -106,7 +106,7 @@ def _require_alike(
         hint = meant(missing[0], result)
         raise InputError(f"the result has no signal {missing[0]}, which the reference has{hint}")
     for name, values in reference.items():
-        wrong = np.flatnonzero(np.isnan(values))
+        wrong = np.flatnonzero(~np.isfinite(values))
         if wrong.size:
             time = reference["time"][wrong[0]]
             raise InputError(f"the reference has no number for {name} at {time:.6g} s")

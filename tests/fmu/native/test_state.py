@@ -115,7 +115,8 @@ def test_damaged_and_foreign_states_are_refused(native_fmus, fmi: int, index: in
         start(other, 1 - index)
         good = serialised(fmu)
         for bad, words in (
-            (good[:-8], f"damaged: its header is that of {len(good)} bytes, there are {len(good) - 8}"),
+            (good[:-8], f"damaged: its header is that of {len(good)} bytes, there are "
+                        f"{len(good) - 8}"),
             (good[:-1], f"there are {len(good) - 1}"),
             (good + b"\0", f"there are {len(good) + 1}"),
             (good[: len(good) // 2] + b"\1" + good[len(good) // 2 + 1 :], "damaged"),
