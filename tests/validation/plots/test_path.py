@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.text import Text
 
 from segfmu import Clearance, Limits, Obstacle, Waypoint, plan
 from segfmu.validation.plots.path import motion, plot_path
@@ -43,7 +44,7 @@ def test_waypoints_at_one_place_of_a_view_share_a_label() -> None:
     panels = plot_path(trajectory, "move", Clearance([])).axes
     above, side = ([(t.get_text(), t.xy) for t in panel.texts] for panel in panels)
     assert [text for text, _ in above] == ["1, 2", "3"]
-    assert [text for text, _ in side] == ["1", "2", "3"]
+    assert sorted(text for text, _ in side) == ["1", "2", "3"]
     assert above[1][1] == pytest.approx([0.0, 1.0])
 
 
@@ -61,3 +62,26 @@ def test_titles_of_any_script_are_drawn_without_warnings(tmp_path: Path) -> None
                       Limits(1.0, 1.0, 5.0))
     plot_path(trajectory, "\u6b66\u6c49 \U0001f3d7", Clearance([])).savefig(tmp_path / "path.png")
     assert (tmp_path / "path.png").stat().st_size > 0
+
+
+def crossings(texts: list[Text]) -> list[str]:
+    """Texts of a drawn figure that lie on one before them."""
+    boxes = [text.get_window_extent() for text in texts]
+    return [t.get_text() for i, t in enumerate(texts) if boxes[i].count_overlaps(boxes[:i])]
+
+
+@pytest.mark.parametrize("wide", [1e-3, 1.0, 40.0])
+@pytest.mark.parametrize("away", [0.0, 1234.5])
+def test_numbers_of_waypoints_and_axes_are_apart(wide: float, away: float, tmp_path: Path) -> None:
+    places = np.random.default_rng(7).normal(size=(40, 3)) * [0.0, wide, 0.3 * wide]
+    points = [Waypoint(away + place - [0.0, 0.0, away + 2.0 + 3.0 * wide]) for place in places]
+    trajectory = plan(points, Limits(wide, wide, 5.0 * wide, 50.0 * wide))
+    figure = plot_path(trajectory, "many", Clearance([]))
+    figure.savefig(tmp_path / "path.png")
+    for panel in figure.axes:
+        numbers = [t.get_text() for t in panel.texts]
+        assert not crossings(panel.texts) and not crossings(panel.get_xticklabels())
+        assert "1" in numbers[0].split(", ") and len(numbers) > 3
+        for text in panel.texts:
+            assert figure.bbox.x0 <= text.get_window_extent().x0
+            assert text.get_window_extent().x1 <= figure.bbox.x1

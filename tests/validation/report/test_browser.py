@@ -141,6 +141,33 @@ def test_the_slider_shows_the_load_where_it_was(
     page.close()
 
 
+# texts of the view that lie on one before them, and all of them
+CROSSINGS = """[...document.querySelectorAll('#stage text')]
+    .map((text) => text.getBoundingClientRect())
+    .filter((a, i, all) => all.slice(0, i).some((b) => a.left < b.right && b.left < a.right
+        && a.top < b.bottom && b.top < a.bottom)).length"""
+NUMBERS = "[...document.querySelectorAll('#stage text')].map((text) => text.textContent)"
+
+
+def test_names_in_the_view_are_apart(browser: Browser, tmp_path: Path) -> None:
+    places = [[0.0, 0.1 * i, -3.0 + 0.3 * (i % 2)] for i in range(12)]
+    boxes = [segfmu.Obstacle(f"row of containers {i}", [-1.0, i, -9.0], [1.0, i + 0.8, -5.0])
+             for i in range(8)]
+    mission = segfmu.load_mission({
+        "crane": segfmu.Crane(2.0, 1.0, 1.0), "limits": segfmu.Limits(1.0, 1.0, 5.0, 50.0),
+        "waypoints": [segfmu.Waypoint(place) for place in places], "obstacles": boxes,
+    })
+    report = segfmu.simulate(mission, step=0.01).report(tmp_path / "report.html")
+    page, complaints = opened(browser, report)
+    for view in ("from above", "along x", "along y", "oblique"):
+        page.click(f"text={view}")
+        numbers = page.evaluate(NUMBERS)
+        assert "1" in numbers and any(name.startswith("row") for name in numbers)
+        assert page.evaluate(CROSSINGS) == 0, view
+    assert not complaints
+    page.close()
+
+
 def test_the_view_turns_and_shows_every_scenario(
     browser: Browser, reports: dict[str, Path]
 ) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.transforms import Bbox, BboxBase
 
 from segfmu.arrays import FloatArray
 from segfmu.planning import Clearance, Trajectory
@@ -18,7 +19,10 @@ STRAIGHT = 0.02
 # a motion below this share of the places is none, and drawn as one of this size [m]
 NOISE = 1e-9
 STANDING = 5.0
-NEXT_TO: dict[str, Any] = {"xytext": (5, 6), "textcoords": "offset points"}
+# where a label can be from its waypoint [points], the first one that is free
+PLACES = tuple((across, up) for up in (6, -6) for across in (5, -5))
+# number of intervals of an axis, so that long numbers have room
+INTERVALS = 5
 
 
 def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figure:
@@ -38,6 +42,10 @@ def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figur
     above.set(title="from above", xlabel="x [m]", ylabel="y [m]")
     side.set(title="from the side", xlabel=f"{name} [m]", ylabel="z [m]")
     figure.suptitle(title, parse_math=False)
+    figure.draw_without_rendering()
+    size = _size(points)
+    for panel, view in ((above, top), (side, section)):
+        _name(panel, labels(stops @ view.T, size), figure.bbox)
     return figure
 
 
@@ -80,14 +88,34 @@ def _view(
     panel.plot(*path.T, color=COLOURS[0])
     panel.plot(*marks.T, "o", color=COLOURS[1])
     size = _size(points)
-    for text, (x, y) in labels(marks, size):
-        panel.annotate(text, (x, y), **NEXT_TO)
     for limits, values in ((panel.set_xlim, path[:, 0]), (panel.set_ylim, path[:, 1])):
         middle = 0.5 * float(values.min() + values.max())
         # a motion across the view is not enlarged to noise
         half = max(0.55 * float(np.ptp(values)), 0.1 * size)
         limits(middle - half, middle + half)
+    panel.locator_params(axis="x", nbins=INTERVALS)
     grid(panel)
+
+
+def _name(panel: Axes, names: list[tuple[str, FloatArray]], room: BboxBase) -> None:
+    """Write the numbers of waypoints where there is room, those of the ends first."""
+    taken: list[Bbox] = []
+    for text, (x, y) in [names[0], *names[:0:-1][:1], *names[1:-1]]:
+        for across, up in PLACES:
+            style: dict[str, Any] = {
+                "ha": "left" if across > 0 else "right", "va": "bottom" if up > 0 else "top",
+            }
+            label = panel.annotate(
+                text, (x, y), xytext=(across, up), textcoords="offset points", **style
+            )
+            # the layout stays that in which it was placed
+            label.set_in_layout(False)
+            own = label.get_window_extent()
+            inside = own.x0 >= room.x0 and own.x1 <= room.x1
+            if inside and not own.count_overlaps(taken):
+                taken.append(own)
+                break
+            label.remove()
 
 
 def _size(points: FloatArray) -> float:

@@ -27,11 +27,11 @@ def save(figure: Figure, path: Path) -> None:
 class Picture(Figure):
     """A figure that notebooks show and that no window is opened for."""
 
-    def savefig(self, *args: Any, **options: Any) -> None:
+    def draw(self, renderer: Any) -> None:
         """As of any figure; characters that its font does not have are boxes, without a warning."""
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", r"Glyph \d+", UserWarning)
-            super().savefig(*args, **options)
+            super().draw(renderer)
 
     def _repr_png_(self) -> bytes:
         data = BytesIO()

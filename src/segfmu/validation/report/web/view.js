@@ -4,7 +4,6 @@ class CraneView {
   static NAMES = "http://www.w3.org/2000/svg";
   static FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
   static FLOOR = [[0, 0], [1, 0], [1, 1], [0, 1]];
-  static MOST_NAMES = 20;
 
   // changed: called when everything has to be drawn again
   constructor(stage, changed) {
@@ -177,19 +176,30 @@ class CraneView {
   }
 
   labels() {
-    const {waypoints} = this.scene;
-    waypoints.forEach((point, k) => {
-      const [u, v] = this.place(point), ends = k === 0 || k === waypoints.length - 1;
-      this.make("circle", {cx: u, cy: v, r: 4.5, class: "waypoint"});
-      if (ends || waypoints.length <= CraneView.MOST_NAMES) {
-        this.make("text", {x: u + 8, y: v + 15}, this.layer, String(k + 1));
-      }
-    });
-    for (const box of this.boxes.length <= CraneView.MOST_NAMES ? this.boxes : []) {
+    const {waypoints} = this.scene, last = waypoints.length - 1, texts = [];
+    const places = waypoints.map((point) => this.place(point));
+    for (const [u, v] of places) this.make("circle", {cx: u, cy: v, r: 4.5, class: "waypoint"});
+    const write = (x, y, text, more = {}) => texts.push(this.make("text", {x, y, ...more}, this.layer, text));
+    // the first ones stay, so the ends begin
+    for (const k of [0, last, ...places.keys()].filter((k, i) => i < 2 || (k > 0 && k < last))) {
+      write(places[k][0] + 8, places[k][1] + 15, String(k + 1));
+    }
+    for (const box of this.boxes) {
       const points = this.corners(box.minimum, box.maximum).map((p) => this.place(p));
       const lowest = Math.max(...points.map((p) => p[1]));
       const middle = points.reduce((sum, p) => sum + p[0], 0) / points.length;
-      this.make("text", {x: middle, y: lowest - 8, "text-anchor": "middle"}, this.layer, box.name);
+      write(middle, lowest - 8, box.name, {"text-anchor": "middle"});
+    }
+    this.thin(texts);
+  }
+
+  // remove texts that lie on one before them
+  thin(texts) {
+    const kept = [];
+    for (const [text, box] of texts.map((one) => [one, one.getBBox()])) {
+      if (kept.some((b) => box.x < b.x + b.width && b.x < box.x + box.width
+        && box.y < b.y + b.height && b.y < box.y + box.height)) text.remove();
+      else kept.push(box);
     }
   }
 
