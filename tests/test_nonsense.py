@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from inspect import signature
 from pathlib import Path
 from typing import Any
@@ -28,6 +28,32 @@ PLAN = segfmu.plan(POINTS, LIMITS)
 CRANE = segfmu.Crane(2.0, 1.0, 1.0)
 OPERATOR = segfmu.Operator(CRANE, LIMITS, [0.0, 0.0, -0.5])
 BOUNDS = segfmu.ActuatorBounds(force=[20.0, 20.0, 30.0])
+
+
+@cache
+def finished() -> segfmu.Run:
+    """A run whose methods are called."""
+    return segfmu.simulate(MISSION, step=0.05)
+
+
+def signal(name: Any) -> None:
+    """A signal, and whether there is one."""
+    assert (name in finished()) == (name in [*finished()] if isinstance(name, str) else False)
+    finished()[name]
+
+
+def picture(what: Any) -> None:
+    finished().plot(what)
+
+
+def report(path: Any) -> None:
+    finished().report(path)
+
+
+def table(path: Any) -> None:
+    finished().to_csv(path)
+
+
 CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "Waypoint": (segfmu.Waypoint, {"position": [0.0, 0.0, 0.0]}),
     "Limits": (segfmu.Limits, {"velocity": 1.0, "acceleration": 1.0, "jerk": 2.0}),
@@ -57,6 +83,10 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "command": (OPERATOR.command, {"mode": "stop"}),
     "step": (OPERATOR.step, {"duration": 0.01}),
     "simulate": (segfmu.simulate, {"mission": MISSION, "step": 0.05}),
+    "signal": (signal, {"name": "time"}),
+    "plot": (picture, {"what": "plan"}),
+    "report": (report, {"path": "report.html"}),
+    "to_csv": (table, {"path": "run.csv"}),
     "build": (segfmu.build, {"mission": MISSION, "output": "fmus"}),
     "load_mission": (segfmu.load_mission, {"source": MISSION}),
     "validate": (segfmu.validate, {"scenarios": [MISSION]}),

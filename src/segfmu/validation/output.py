@@ -103,7 +103,7 @@ def file_path(name: Any) -> Path:
     InputError
         If it is none.
     """
-    if not isinstance(name, str | os.PathLike) or not os.fspath(name):
+    if not isinstance(name, str | os.PathLike) or not os.fspath(name) or "\0" in str(name):
         raise InputError(f"the path of a file must be given, got {shown(name)}")
     return Path(name)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,13 +100,13 @@ class Run:
         return iter(self.signals)
 
     def __contains__(self, name: object) -> bool:
-        return name in self.signals
+        return isinstance(name, str) and name in self.signals
 
     def __getitem__(self, name: str) -> FloatArray:
         if name not in self:
             near = get_close_matches(str(name), self.signals, n=1)
             hint = f"did you mean {near[0]}?" if near else "run.signals has all names"
-            raise InputError(f"no variable {name!r} in the run; {hint}")
+            raise InputError(f"no variable {shown(name)} in the run; {hint}")
         column: FloatArray = self.rows[name]
         return column
 
@@ -163,6 +163,8 @@ class Run:
         """
         from segfmu.validation.plots import plot_drives, plot_path, plot_plan, plot_run
 
+        if not isinstance(what, str) or what not in get_args(Picture):
+            raise InputError(f"plot: must be run, plan, path or drives, got {shown(what)}")
         task, trajectory, name = self.mission, self.trajectory, self.mission.name
         crane, bounds = task.build_crane(), task.build_bounds() or ActuatorBounds()
         if what == "run":
@@ -171,9 +173,7 @@ class Run:
             return plot_plan(trajectory, name)
         if what == "path":
             return plot_path(trajectory, name, task.build_clearance())
-        if what == "drives":
-            return plot_drives(crane, trajectory, bounds, name, task.build_friction())
-        raise InputError(f"plot: must be run, plan, path or drives, got {what!r}")
+        return plot_drives(crane, trajectory, bounds, name, task.build_friction())
 
 
 def simulate(

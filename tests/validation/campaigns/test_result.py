@@ -32,3 +32,13 @@ def test_a_margin_that_is_no_number_is_the_worst(
 def test_what_is_no_folder_has_no_result(folder: object) -> None:
     with pytest.raises(InputError, match=r"^output (must be the path of a folder|is empty)"):
         load_result(folder)
+
+
+def test_a_column_that_the_table_has_not_is_told_with_one_that_may_be_meant() -> None:
+    found = CampaignResult("n", Path(), (), (), pyarrow.table({"run": [0], "passed": [True]}))
+    assert found.column("passed") == [True]
+    with pytest.raises(InputError, match=r"no column 'pased' in the runs; did you mean passed\?"):
+        found.column("pased")
+    for name in (None, 3, ["run"]):
+        with pytest.raises(InputError, match="no column"):
+            found.column(name)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from multiprocessing import current_process
 from pathlib import Path
 
 from segfmu.arrays import as_index, shown
@@ -45,7 +46,8 @@ def campaign(
     Raises
     ------
     InputError
-        For files that are wrong, a folder with another campaign, and packages that are missing.
+        For files that are wrong, a folder with another campaign, packages that are missing, and a
+        script that is not guarded.
     BuildError
         If the FMUs cannot be built.
 
@@ -57,6 +59,7 @@ def campaign(
     <CampaignResult 'small': 4 of 4 runs passed>
     """
     require_packages()
+    _require_guard()
     if not isinstance(scheduler, str | None):
         raise InputError(f"scheduler must be an address, got {shown(scheduler)}")
     if jobs is not None:
@@ -72,6 +75,14 @@ def campaign(
     write_summary(result)
     write_worst(task, result)
     return result
+
+
+def _require_guard() -> None:
+    """Refuse a call of a process that is being started, before it does all again."""
+    if getattr(current_process(), "_inheriting", False):
+        from segfmu.validation.campaigns.cluster import GUARD
+
+        raise InputError(f"a worker of a campaign came to the call that started it: {GUARD}")
 
 
 def write_worst(task: Campaign, result: CampaignResult) -> list[Path]:

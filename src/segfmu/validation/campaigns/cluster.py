@@ -19,7 +19,7 @@ from segfmu.validation.campaigns.worker import Order, Outcome
 from segfmu.validation.files.scenario_file import Source
 
 if TYPE_CHECKING:
-    from distributed import Client, Future
+    from distributed import Client, Future, LocalCluster
 
 # s; runs are handed out for so long at a time: a share takes as much of the processor as a run
 SHARE = 1.0
@@ -46,6 +46,11 @@ CONFIGURATION = {
     "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": KEPT_MEMORY,
     "distributed.nanny.pre-spawn-environ.MALLOC_MMAP_THRESHOLD_": MOST_MAPPED,
 }
+# each process that is started runs the script that starts it, up to what is guarded
+GUARD = (
+    'in a script the call belongs below if __name__ == "__main__":, as each worker runs the rest '
+    "of the script"
+)
 # of one that restarts a worker of this machine, however long that takes: it will not
 GIVEN_UP = ("closing", "closed", "failed")
 
@@ -57,21 +62,16 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
     Raises
     ------
     InputError
-        If the scheduler does not answer, has no workers, or these have another segfmu.
+        If the scheduler does not answer, has no workers, or these have another segfmu; if workers
+        of this machine do not start.
     """
     from dask import config
-    from distributed import Client, LocalCluster
+    from distributed import Client
 
     with ExitStack() as stack:
         stack.enter_context(config.set(CONFIGURATION))
         if scheduler is None:
-            # of Dask's locks and of archives, also those of a worker that is killed
-            folder = stack.enter_context(work_folder())
-            target: Any = stack.enter_context(LocalCluster(
-                n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, memory_limit=0,
-                dashboard_address="127.0.0.1:0", local_directory=str(folder),
-                silence_logs=logging.CRITICAL, preload=preload.__name__,
-            ))
+            target: Any = stack.enter_context(_local(jobs or os.cpu_count() or 1))
         else:
             target = scheduler
         try:
@@ -84,6 +84,28 @@ def cluster(scheduler: str | None, jobs: int | None) -> Iterator[Client]:
         yield client
         with suppress(Exception):
             client.run(worker.release)
+
+
+@contextmanager
+def _local(jobs: int) -> Iterator[LocalCluster]:
+    """So many workers of this machine."""
+    from distributed import LocalCluster
+
+    # of Dask's locks and of archives, also those of a worker that is killed
+    with work_folder() as folder:
+        try:
+            found = LocalCluster(
+                n_workers=jobs, threads_per_worker=1, memory_limit=0,
+                dashboard_address="127.0.0.1:0", local_directory=str(folder),
+                silence_logs=logging.CRITICAL, preload=preload.__name__,
+            )
+        except RuntimeError as error:
+            told = str(error).rstrip(".")
+            raise InputError(
+                f"workers of this machine do not start ({told}); {GUARD}"
+            ) from None
+        with found:
+            yield found
 
 
 def _require_workers(client: Client, scheduler: str | None) -> None:

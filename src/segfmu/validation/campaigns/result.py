@@ -10,7 +10,8 @@ from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, Any
 
-from segfmu.errors import InputError
+from segfmu.arrays import shown
+from segfmu.errors import InputError, meant
 from segfmu.validation.campaigns.comparison import Comparison, compared
 from segfmu.validation.campaigns.probability import Probability
 from segfmu.validation.campaigns.rare import Found
@@ -122,7 +123,16 @@ class CampaignResult:
     rare: Mapping[str, Found] = field(default_factory=dict)
 
     def column(self, name: str) -> list[Any]:
-        """The values of a column, None where there is none."""
+        """The values of a column, None where there is none.
+
+        Raises
+        ------
+        InputError
+            For a column that the table does not have.
+        """
+        known = self.table.column_names
+        if not isinstance(name, str) or name not in known:
+            raise InputError(f"no column {shown(name)} in the runs{meant(name, known)}")
         values: list[Any] = self.table[name].to_pylist()
         return values
 
