@@ -406,3 +406,15 @@ def test_the_page_tells_why_a_command_is_not_taken(shown: Callable[[str], Page])
         }
     }""")
     assert message.startswith("GantryFeedforward: ") and "limits.scale" in message
+
+
+def test_numbers_have_the_digits_of_the_crane(browser: Browser, tmp_path: Path) -> None:
+    mission = {
+        "crane": segfmu.Crane(0.8, 0.3, 0.05), "limits": segfmu.Limits(0.05, 0.1, 0.5, 5.0),
+        "waypoints": [segfmu.Waypoint([x, 0.0, -0.3]) for x in (-0.01, 0.01)],
+    }
+    page, _ = opened(browser, segfmu.live(mission, tmp_path / "live.html"))
+    page.wait_for_function("find('place').textContent !== ''")
+    assert page.inner_text("#place").split(", ") == ["-0.010", "0.000", "-0.300"]
+    assert page.inner_text("#pace-now") == "0.0000 m/s"
+    page.close()

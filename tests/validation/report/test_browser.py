@@ -141,6 +141,23 @@ def test_the_slider_shows_the_load_where_it_was(
     page.close()
 
 
+def test_a_small_motion_is_told_with_its_digits(browser: Browser, tmp_path: Path) -> None:
+    mission = segfmu.load_mission({
+        "crane": segfmu.Crane(0.8, 0.3, 0.05), "limits": segfmu.Limits(0.05, 0.1, 0.5, 5.0),
+        "waypoints": [segfmu.Waypoint([x, 0.0, -0.3]) for x in (0.0, -0.002)],
+    })
+    run = segfmu.simulate(mission)
+    page, _ = opened(browser, run.report(tmp_path / "report.html"))
+    assert page.inner_text("#state").startswith("0.00 s: load at x 0.00000, y 0.00000, z -0.30000")
+    page.focus("#time")
+    for _ in range(4):
+        page.keyboard.press("ArrowRight")
+    expected = np.interp(float(page.input_value("#time")), run.time, run["load.position.x"])
+    assert shown(page)[1] == pytest.approx(expected, abs=1e-5)
+    assert -0.0015 < expected < -0.0005
+    page.close()
+
+
 # texts of the view that lie on one before them, and all of them
 CROSSINGS = """[...document.querySelectorAll('#stage text')]
     .map((text) => text.getBoundingClientRect())

@@ -22,6 +22,10 @@ class Page {
     this.view = new CraneView(find("stage"), () => {});
     this.view.show(data.scene, data.room[0].flatMap((x) =>
       data.room[1].flatMap((y) => data.room[2].map((z) => [x, y, z]))));
+    this.decimals = {
+      place: CraneView.decimals(Math.max(...data.room.map(([low, high]) => high - low)), 2),
+      speed: CraneView.decimals(Math.max(...data.speeds), 2),
+    };
     // the longer axis of the room across the screen
     const [wide, deep] = data.room.map(([low, high]) => high - low);
     if (deep > wide) this.view.azimuth = 60;
@@ -143,10 +147,9 @@ class Page {
     const swayed = (values) => `${Math.max(...values.map(Math.abs)).toFixed(3)}°`;
     find("now").textContent = swayed(["sway.x.angle", "sway.y.angle"].map((name) => DEGREES * state[name]));
     find("most").textContent = swayed(this.sway.peaks.length ? this.sway.peaks : [0]);
-    find("pace-now").textContent = `${Math.hypot(...Driver.SPEED.map((name) => state[name])).toFixed(2)} m/s`;
-    // no -0.00
-    const places = load.map((value) => (Math.abs(value) < 0.005 ? 0 : value).toFixed(2));
-    find("place").textContent = places.join(", ");
+    const pace = Math.hypot(...Driver.SPEED.map((name) => state[name]));
+    find("pace-now").textContent = `${CraneView.told(pace, this.decimals.speed)} m/s`;
+    find("place").textContent = load.map((value) => CraneView.told(value, this.decimals.place)).join(", ");
     this.tell(driver.message || this.told || (driver.command.kind === "none" ? "" : STATUS[driver.taken]));
     find("rate").textContent = `${driver.time.toFixed(1)} s, ${Math.round(this.rate)} frames a second`;
   }

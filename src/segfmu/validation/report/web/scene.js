@@ -6,13 +6,15 @@
   const scenes = JSON.parse(document.getElementById("data").textContent).scenes;
   const find = (name) => document.getElementById(name);
   const play = find("play"), slider = find("time"), speed = find("speed"), which = find("which");
-  let scene = scenes[0], number = 0, time = 0, playing = false, last = 0;
+  let scene = scenes[0], number = 0, time = 0, playing = false, last = 0, decimals = 3;
   const view = new CraneView(stage, () => draw());
 
   function prepare() {
     const rows = [2, 3, 4].map((row) => scene.frames[row]), points = [];
     for (let i = 0; i < scene.times.length; i += 4) points.push(rows.map((row) => row[i]));
     view.show(scene, points);
+    const sizes = [2, 3, 4].map((row) => Math.max(...scene.frames[row]) - Math.min(...scene.frames[row]));
+    decimals = CraneView.decimals(Math.max(...sizes), 3);
     slider.max = scene.times[scene.times.length - 1];
   }
 
@@ -34,7 +36,8 @@
     for (let j = 0; j <= i; j += 1) trail.push([2, 3, 4].map((row) => scene.frames[row][j]));
     trail.push([x, y, z]);
     view.draw({bridge, trolley, bodies, load: [x, y, z], trail});
-    const words = `${time.toFixed(2)} s: load at x ${x.toFixed(3)}, y ${y.toFixed(3)}, z ${z.toFixed(3)} m; `
+    const places = [x, y, z].map((value, k) => `${"xyz"[k]} ${CraneView.told(value, decimals)}`);
+    const words = `${time.toFixed(2)} s: load at ${places.join(", ")} m; `
       + `sway ${swayX.toFixed(2)} and ${swayY.toFixed(2)} deg`
       + links.join("");
     find("state").textContent = words;

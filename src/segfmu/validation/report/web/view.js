@@ -5,6 +5,17 @@ class CraneView {
   static FACES = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
   static FLOOR = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
+  // decimals with which values up to a size are told, a thousandth of it at least
+  static decimals(size, least) {
+    const MOST = 6;
+    return Math.min(MOST, Math.max(least, 2 - Math.floor(Math.log10(size || 1))));
+  }
+
+  // a value with decimals, without a sign before zeros only
+  static told(value, decimals) {
+    return value.toFixed(decimals).replace(/^-(?=[0.]*$)/, "");
+  }
+
   // changed: called when everything has to be drawn again
   constructor(stage, changed) {
     this.stage = stage;
