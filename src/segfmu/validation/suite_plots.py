@@ -6,20 +6,23 @@ from collections.abc import Sequence
 
 from matplotlib.figure import Figure
 
-from segfmu.validation.plots.style import COLOURS, panels_of
+from segfmu.validation.plots.style import COLOURS, label, panels_of
 from segfmu.validation.scenario_result import Result
 
 # %; larger margins are drawn at the edge
 MOST = 100.0
+# characters of a line beside the panel; inches of a line, and of the space between two names
+LINE, HIGH, SPACE = 60, 0.14, 0.08
 
 
 def plot_margins(results: Sequence[Result]) -> Figure:
     """The margin of every criterion as a share of its bound; left of the line it does not hold."""
     entries = [
-        (f"{result.scenario.file.name}: {finding.name}", 100.0 * finding.normalised)
+        (label(f"{result.scenario.file.name}: {finding.name}", LINE), 100.0 * finding.normalised)
         for result in results for finding in result.findings if finding.normalised is not None
     ]
-    figure, panel = panels_of(size=(9, 1.2 + 0.22 * max(len(entries), 1)))
+    lines = max((name.count("\n") + 1 for name, _ in entries), default=1)
+    figure, panel = panels_of(size=(9, 1.2 + (HIGH * lines + SPACE) * max(len(entries), 1)))
     for place, (_, share) in enumerate(reversed(entries)):
         held = share >= 0.0
         panel.plot(

@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from segfmu.validation.plots.style import COLOURS, grid, panels_of
+from segfmu.validation.plots.style import COLOURS, grid, label, panels_of
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.result import CampaignResult
 
 BINS = 30
 HEIGHT, WIDTH = 2.6, 10.0
+# characters of a line below a panel
+LINE = 45
 
 
 def plot_campaign(result: CampaignResult) -> Figure:
@@ -27,7 +29,7 @@ def plot_campaign(result: CampaignResult) -> Figure:
     for (name, margins), (left, right) in zip(shown, np.reshape(panels, (rows, 2)), strict=False):
         values = np.array(list(margins.values()))
         left.hist(values, bins=BINS, color=COLOURS[0])
-        left.set(xlabel=f"margin of {name}", ylabel="runs")
+        left.set(xlabel=label(f"margin of {name}", LINE), ylabel="runs")
         if values.min() < 0.0:
             left.axvspan(min(values.min(), 0.0), 0.0, color="#888888", alpha=0.25, linewidth=0.0)
         grid(left)
@@ -39,9 +41,9 @@ def plot_campaign(result: CampaignResult) -> Figure:
         places = [known[run] for run in margins]
         right.plot(places, values, ".", color=COLOURS[0], markersize=3)
         right.axhline(0.0, color="#888888", linewidth=0.8)
-        right.set(xlabel=factor, ylabel="margin")
+        right.set(xlabel=label(factor, LINE), ylabel="margin")
         grid(right)
-    figure.suptitle(result.name, parse_math=False)
+    figure.suptitle(label(result.name))
     return figure
 
 

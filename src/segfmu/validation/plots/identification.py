@@ -8,10 +8,12 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from segfmu.validation.identification.prediction import Prediction
-from segfmu.validation.plots.style import COLOURS, finish, legend, panels_of
+from segfmu.validation.plots.style import COLOURS, finish, label, legend, panels_of
 from segfmu.validation.units import pretty, scale, signal_units
 
 HEIGHT = 1.8
+# characters of a title's line
+LINE = 60
 
 
 def plot_identification(shown: Sequence[Prediction]) -> Figure:
@@ -37,8 +39,10 @@ def plot_identification(shown: Sequence[Prediction]) -> Figure:
             )
             panel.set_ylabel(f"{name}\n[{unit}]")
             legend(panel)
-        column[0].set_title(part.log)
+        column[0].set_title(label(part.log, LINE))
     finish(figure, list(panels.ravel()), (), "Measured and simulated signals")
-    for panel in panels[-1]:
-        panel.set_xlabel("time [s]")
+    for column, part in zip(panels.T, shown, strict=True):
+        for panel in column[len(part.signals):]:
+            panel.set_axis_off()
+        column[len(part.signals) - 1].set_xlabel("time [s]")
     return figure

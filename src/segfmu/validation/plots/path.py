@@ -12,7 +12,7 @@ from matplotlib.transforms import Bbox, BboxBase
 
 from segfmu.arrays import FloatArray
 from segfmu.planning import Clearance, Trajectory
-from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, panels_of
+from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, label, panels_of
 
 # share of a motion across it, below which it is along an axis, or waypoints share a label
 STRAIGHT = 0.02
@@ -41,7 +41,7 @@ def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figur
     _view(side, points, stops, section, clearance)
     above.set(title="from above", xlabel="x [m]", ylabel="y [m]")
     side.set(title="from the side", xlabel=f"{name} [m]", ylabel="z [m]")
-    figure.suptitle(title, parse_math=False)
+    figure.suptitle(label(title))
     figure.draw_without_rendering()
     size = _size(points)
     for panel, view in ((above, top), (side, section)):
@@ -105,17 +105,17 @@ def _name(panel: Axes, names: list[tuple[str, FloatArray]], room: BboxBase) -> N
             style: dict[str, Any] = {
                 "ha": "left" if across > 0 else "right", "va": "bottom" if up > 0 else "top",
             }
-            label = panel.annotate(
+            number = panel.annotate(
                 text, (x, y), xytext=(across, up), textcoords="offset points", **style
             )
             # the layout stays that in which it was placed
-            label.set_in_layout(False)
-            own = label.get_window_extent()
+            number.set_in_layout(False)
+            own = number.get_window_extent()
             inside = own.x0 >= room.x0 and own.x1 <= room.x1
             if inside and not own.count_overlaps(taken):
                 taken.append(own)
                 break
-            label.remove()
+            number.remove()
 
 
 def _size(points: FloatArray) -> float:

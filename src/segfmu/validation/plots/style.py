@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Sequence
 from io import BytesIO
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -54,6 +55,11 @@ def stack(count: int, height: float = 2.2) -> tuple[Figure, list[Axes]]:
     return figure, list(panels)
 
 
+def label(text: str, width: int = 80) -> str:
+    """A name of the user in lines of so many characters; dollars in it are no mathematics."""
+    return "\n".join(wrap(text, width)).replace("$", r"\$")
+
+
 def legend(panel: Axes) -> None:
     """The legend beside the curves."""
     panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
@@ -64,7 +70,7 @@ def finish(figure: Figure, panels: Sequence[Axes], times: Any, title: str) -> Fi
     for panel in panels:
         marks(panel, times)
     panels[-1].set_xlabel("time [s]; grey: arrival at a waypoint")
-    figure.suptitle(title, parse_math=False)
+    figure.suptitle(label(title))
     return figure
 
 
