@@ -72,6 +72,17 @@ def test_further_columns_are_no_misspelt_ones() -> None:
     assert segfmu.identify(log, CRANE, fit=["bridge.lag"]).fitted
 
 
+def test_the_signals_of_a_run_are_a_log() -> None:
+    models = Path(__file__).parents[3] / "models"
+    run = segfmu.simulate(models / "inteco.toml", step=0.01)
+    log = {name: run[name] for name in run}
+    assert log["plan.done"].dtype == bool
+    found = segfmu.identify(log, models / "crane_inteco.toml", fit=["payload_mass"])
+    assert found["payload_mass"].value == pytest.approx(1.0, rel=1e-2)
+    with pytest.raises(InputError, match=r"plan\.done must be a number or a list of numbers"):
+        segfmu.identify(log | {"plan.done": ["no"] * run.time.size}, models / "crane_inteco.toml")
+
+
 def test_tables_of_other_packages_are_no_lists_of_logs() -> None:
     """The names of their columns were taken for files, and their rows for logs."""
     rows = np.rec.fromarrays(list(LOG.values()), names=list(LOG))

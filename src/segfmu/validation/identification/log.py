@@ -92,7 +92,7 @@ def read_log(
     if not isinstance(source, str | Path | Mapping):
         raise InputError(f"{name} must be a file or a dict of columns, got {shown(source)}")
     if isinstance(source, Mapping):
-        table = {str(n): numbers(str(n), values) for n, values in source.items()}
+        table = {str(n): numbers(str(n), _counted(values)) for n, values in source.items()}
         _require_times(table, name)
     else:
         name, table = str(source), read_table(Path(source))
@@ -120,6 +120,12 @@ def read_log(
     if drive == "velocity":
         _require_units(log)
     return log
+
+
+def _counted(values: Any) -> Any:
+    """Columns of yes and no, as a run has them, as the 0 and 1 of its table."""
+    found = np.asarray(values) if hasattr(values, "dtype") else None
+    return found.astype(np.float64) if found is not None and found.dtype == bool else values
 
 
 def sections(log: Log, period: float) -> list[Log]:
