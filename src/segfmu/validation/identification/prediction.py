@@ -151,9 +151,9 @@ class Poor:
     signals: tuple[SignalFit, ...]
 
     def __str__(self) -> str:
-        told = ", ".join(f"{s.signal} (fit index {s.index:.2f})" for s in self.signals)
+        names = ", ".join(f"{s.signal} (fit index {told(s.index)})" for s in self.signals)
         return (
-            f"{self.log}: the fitted crane does not follow {told}, so its values are of no use: "
+            f"{self.log}: the fitted crane does not follow {names}, so its values are of no use: "
             "columns may be swapped or have another sign or unit, or the crane has what the model "
             "has not"
         )
@@ -173,6 +173,13 @@ def fit_index(measured: FloatArray, simulated: FloatArray) -> float:
     spread = float(np.linalg.norm(measured - measured.mean(axis=0)))
     away = float(np.linalg.norm(measured - simulated))
     return 1.0 - away / spread if spread > 0.0 else float("nan")
+
+
+def told(index: float) -> str:
+    """A fit index; far below 0 it tells no more than that the signal rests, or is not followed."""
+    if np.isnan(index):
+        return "rests"
+    return f"{index:.3f}" if index > -10.0 else "below -10"
 
 
 def zeros_of(model: Model, changes: dict[str, float]) -> FloatArray:

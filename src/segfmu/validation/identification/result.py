@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.identification.prediction import Beyond, Poor, Prediction, beyond, poor
+from segfmu.validation.identification.prediction import (
+    Beyond,
+    Poor,
+    Prediction,
+    beyond,
+    poor,
+    told,
+)
 from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
@@ -152,6 +159,6 @@ class Identification:
         return plot_identification(shown)
 
     def __repr__(self) -> str:
-        loads = ", ".join(f"{p.load:.3f}" for p in self.predicted if p.load is not None)
-        told = ", ".join(map(str, self.estimates))
-        return f"<Identification: {told}{f'; load {loads}' if loads else ''}>"
+        loads = ", ".join(told(p.load) for p in self.predicted if p.load is not None)
+        values = ", ".join(map(str, self.estimates))
+        return f"<Identification: {values}{f'; load {loads}' if loads else ''}>"

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from math import isnan
-
 from rich.markup import escape
 from rich.table import Table
 
-from segfmu.validation.identification.prediction import Prediction
+from segfmu.validation.identification.prediction import Prediction, told
 from segfmu.validation.identification.result import Identification
 from segfmu.validation.units import pretty, scale, signal_units
 
@@ -32,16 +30,9 @@ def predictions_table(title: str, part: Prediction) -> Table:
     for one in part.signals:
         factor, unit = scale(one.largest, units.get(one.signal, ""))
         table.add_row(
-            one.signal, _index(one.index), pretty(factor * one.deviation),
+            one.signal, told(one.index), pretty(factor * one.deviation),
             pretty(factor * one.largest), unit, f"{one.dependence:.1f}",
         )
     if part.load is not None:
-        table.add_row("load's path", _index(part.load), "", "", "", "")
+        table.add_row("load's path", told(part.load), "", "", "", "")
     return table
-
-
-def _index(value: float) -> str:
-    """A fit index; far below 0 it tells no more than that the signal rests, or is not followed."""
-    if isnan(value):
-        return "rests"
-    return f"{value:.3f}" if value > -10.0 else "below -10"

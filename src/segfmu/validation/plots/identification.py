@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.figure import Figure
 
-from segfmu.validation.identification.prediction import Prediction
+from segfmu.validation.identification.prediction import Prediction, told
 from segfmu.validation.plots.style import COLOURS, finish, label, legend, panels_of
-from segfmu.validation.units import pretty, scale, signal_units
+from segfmu.validation.units import scale, signal_units
 
 HEIGHT = 1.8
 # characters of a title's line
@@ -32,12 +32,14 @@ def plot_identification(shown: Sequence[Prediction]) -> Figure:
             panel.plot(times, factor * measured, color="#999999", label="measured")
             panel.plot(
                 times, factor * simulated, color=COLOURS[0],
-                label=f"simulated, fit {pretty(signal.index)}",
+                label=f"simulated, fit {told(signal.index)}",
             )
             panel.plot(
                 times, factor * (measured - simulated), color=COLOURS[1], label="difference"
             )
-            panel.set_ylabel(f"{name}\n[{unit}]")
+            # in lines that are no longer than a panel is high
+            words = name.replace("measured.", "measured\n")
+            panel.set_ylabel(f"{words}\n[{unit}]")
             legend(panel)
         column[0].set_title(label(part.log, LINE))
     finish(figure, list(panels.ravel()), (), "Measured and simulated signals")

@@ -1,0 +1,35 @@
+"""The figure of an identification: names apart, fits that tell something, no empty panels."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from segfmu.validation.identification.log import OUTPUTS
+from segfmu.validation.identification.prediction import LOAD, Prediction, SignalFit
+from segfmu.validation.plots.identification import plot_identification
+
+
+def part(name: str, signals: tuple[str, ...], index: float) -> Prediction:
+    times = np.linspace(0.0, 5.0, 50)
+    columns = {"time": times}
+    for signal in signals:
+        columns |= {signal: np.sin(times), f"simulated.{signal}": np.cos(times)}
+    return Prediction(
+        name, columns, tuple(SignalFit(s, index, 0.1, 0.2, 1.0) for s in signals), None, ()
+    )
+
+
+def test_names_are_apart_and_fits_have_few_digits(tmp_path: Path) -> None:
+    shown = [part("a log", (*OUTPUTS, *LOAD), -2.74e7), part("with $1", OUTPUTS[:2], np.nan)]
+    figure = plot_identification(shown)
+    figure.savefig(tmp_path / "figure.png")
+    drawn = [panel for panel in figure.axes if panel.axison]
+    assert len(figure.axes) == 16 and len(drawn) == 10
+    # panels of the log with all signals, below each other
+    boxes = [panel.yaxis.label.get_window_extent() for panel in figure.axes[0::2]]
+    assert not any(box.count_overlaps(boxes[:i]) for i, box in enumerate(boxes))
+    legends = [panel.get_legend().get_texts()[1].get_text() for panel in figure.axes[:2]]
+    assert legends == ["simulated, fit below -10", "simulated, fit rests"]
+    assert sum(panel.get_xlabel() == "time [s]" for panel in drawn) == 2
