@@ -32,10 +32,15 @@ def margins(name: str) -> Figure:
 def campaign(name: str) -> Figure:
     table = pyarrow.table({
         "run": [0, 1, 2], "scenario": ["s"] * 3, "passed": [True] * 3, "error": [None] * 3,
-        name: [0.1, 0.2, 0.3], f"margin.{name}": [0.1, -0.1, 0.3],
+        name: [0.1, 0.2, 0.3], f"margin.{name}": [0.00775, 0.00875, 0.00975],
         f"holds.{name}": [True, False, True],
     })
     return plot_campaign(CampaignResult(name, Path(), (name,), (name,), table))
+
+
+def test_runs_of_a_campaign_are_counted_whole() -> None:
+    left = campaign("a").axes[0]
+    assert all(float(place).is_integer() for place in left.get_yticks())
 
 
 def motion(name: str, plot: Any, *more: Any) -> Figure:
@@ -59,6 +64,9 @@ def test_names_are_within_the_figure(plot: Any, name: str, tmp_path: Path) -> No
     wide, high = figure.get_size_inches()
     assert whole.x0 > -0.01 and whole.x1 < wide + 0.01
     assert whole.y0 > -0.01 and whole.y1 < high + 0.01
+    for panel in figure.axes:
+        boxes = [text.get_window_extent() for text in panel.get_xticklabels()]
+        assert not any(box.count_overlaps(boxes[:i]) for i, box in enumerate(boxes))
     assert all(panel.get_window_extent().width > 100.0 for panel in figure.axes)
 
 

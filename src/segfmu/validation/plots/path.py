@@ -12,7 +12,7 @@ from matplotlib.transforms import Bbox, BboxBase
 
 from segfmu.arrays import FloatArray
 from segfmu.planning import Clearance, Trajectory
-from segfmu.validation.plots.style import COLOURS, SAMPLES, grid, label, panels_of
+from segfmu.validation.plots.style import COLOURS, SAMPLES, apart, grid, label, panels_of
 
 # share of a motion across it, below which it is along an axis, or waypoints share a label
 STRAIGHT = 0.02
@@ -21,8 +21,6 @@ NOISE = 1e-9
 STANDING = 5.0
 # where a label can be from its waypoint [points], the first one that is free
 PLACES = tuple((across, up) for up in (6, -6) for across in (5, -5))
-# number of intervals of an axis, so that long numbers have room
-INTERVALS = 5
 
 
 def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figure:
@@ -93,7 +91,7 @@ def _view(
         # a motion across the view is not enlarged to noise
         half = max(0.55 * float(np.ptp(values)), 0.1 * size)
         limits(middle - half, middle + half)
-    panel.locator_params(axis="x", nbins=INTERVALS)
+    apart(panel)
     grid(panel)
 
 

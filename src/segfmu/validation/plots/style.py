@@ -81,6 +81,11 @@ def marks(panel: Axes, times: Any) -> None:
     grid(panel)
 
 
+def apart(panel: Axes) -> None:
+    """So few numbers along an axis of half a figure that long ones have room."""
+    panel.locator_params(axis="x", nbins=5)
+
+
 def grid(panel: Axes) -> None:
     """A grid behind the curves, without a frame."""
     panel.grid(True, color="#eeeeee", zorder=0)
