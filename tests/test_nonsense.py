@@ -16,11 +16,20 @@ import pytest
 import segfmu
 
 MISSION = Path(__file__).parents[1] / "models" / "inteco.toml"
+class Table:
+    """As those of other packages: with axes, and of many lines."""
+
+    axes = (range(3), range(2))
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{i}  {i}.0" for i in range(100))
+
+
 NONSENSE = (
     "x", "", "\0", None, [], {}, 10**400, -(10**400), float("nan"), float("inf"), -1, 0, True, 1j,
     b"1", [1, 2], [1, 2, 3], [1, "a"], [None, None, None], [[1]], np.array(3.0), np.array([]),
     np.array(["a"]), np.ma.array([1.0, 2.0, 3.0], mask=[1, 0, 0]), np.datetime64("now"), object(),
-    Decimal(1), Fraction(1, 2), Path(), range(3), {1, 2}, len, segfmu.Waypoint,
+    Decimal(1), Fraction(1, 2), Path(), range(3), {1, 2}, len, segfmu.Waypoint, Table(),
 )
 POINTS = [segfmu.Waypoint([0.0, 0.0, -1.0]), segfmu.Waypoint([1.0, 1.0, -1.0])]
 LIMITS = segfmu.Limits(1.0, 1.0, 2.0, 20.0)
@@ -115,3 +124,4 @@ def test_nonsense_is_one_error(
             call(**{name: value})
         except segfmu.SegfmuError as error:
             assert str(error) and "\n" not in str(error), value
+            assert len(str(error)) < 400, value

@@ -83,7 +83,8 @@ def due(
         if not isinstance(change, Change):
             raise InputError(f"changes must be segfmu.cosim.Change, got {shown(change)}")
         if not isinstance(change.fmu, str) or change.fmu not in units:
-            raise InputError(f"no FMU {change.fmu} in the system; it has {', '.join(names)}")
+            told = change.fmu if isinstance(change.fmu, str) else shown(change.fmu)
+            raise InputError(f"no FMU {told} in the system; it has {', '.join(names)}")
         time = finite_number(f"{change.fmu}: the time of a change", change.time)
         if not span[0] <= time <= span[1]:
             raise InputError(

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from segfmu.arrays import as_names, as_tuple
+from segfmu.arrays import as_names, as_tuple, shown
 from segfmu.cosim.channel import Call, Copy, gathered
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError, meant
@@ -91,7 +91,7 @@ def checked(units: Mapping[str, Unit], given: Iterable[Sequence[str]]) -> list[C
     taken: set[tuple[str, str]] = set()
     for words in as_tuple("connections", given):
         if len(as_names("a connection", words)) != 4:
-            raise InputError(f"a connection has source, output, sink and input, got {words!r}")
+            raise InputError(f"a connection has source, output, sink and input, got {shown(words)}")
         one = Connection(*words)
         for owner, name, causality in ((one.source, one.output, "output"),
                                        (one.sink, one.input, "input")):

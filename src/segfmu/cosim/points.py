@@ -7,7 +7,7 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import finite_number
+from segfmu.arrays import finite_number, shown
 from segfmu.errors import InputError
 
 # results of two FMUs take 0.7 kB a step
@@ -33,7 +33,7 @@ def require_steps(duration: float, step: float) -> None:
 def require_step(step: float) -> None:
     """InputError for a step that is no time above zero."""
     if not finite_number("step", step) > 0.0:
-        raise InputError(f"step must be a time > 0 s, got {step!r}")
+        raise InputError(f"step must be a time > 0 s, got {shown(step)}")
 
 
 def communication_points(start: float, stop: float, step: float) -> NDArray[np.float64]:

@@ -238,7 +238,7 @@ class System:
         from segfmu.cosim.load import load
 
         if isinstance(fmus, str | Path):
-            raise InputError(f"a system takes a mapping or a sequence of files, got {fmus!r}")
+            raise InputError(f"a system takes a mapping or a sequence of files, got {shown(fmus)}")
         named = fmus if isinstance(fmus, Mapping) else dict(enumerate(as_tuple("fmus", fmus)))
         if not named:
             raise InputError("a system needs at least one FMU")

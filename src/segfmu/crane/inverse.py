@@ -50,7 +50,7 @@ class FlatInverse:
     def __init__(
         self, crane: AnyCrane, trajectory: LoadTrajectory, friction: Friction = NONE
     ) -> None:
-        if isinstance(trajectory, type) or not hasattr(trajectory, "axes"):
+        if isinstance(trajectory, type) or not isinstance(trajectory, LoadTrajectory):
             raise InputError(f"trajectory must be a plan, got {type(trajectory).__name__}")
         require_flat(crane, trajectory.axes, trajectory.smoothness)
         self.model = model_of(crane)

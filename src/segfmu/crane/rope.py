@@ -5,7 +5,7 @@ kernels/crane/rope.py does the check.
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +19,7 @@ from segfmu.kernels.messages import ROPE, ROPE_LIMITS
 from segfmu.planning.messages import text_apart
 
 
+@runtime_checkable
 class LoadTrajectory(Protocol):
     """The interface of a load trajectory that the inverse needs."""
 

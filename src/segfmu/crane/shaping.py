@@ -172,7 +172,7 @@ def _decay(frequency: float, damping: float) -> tuple[float, float]:
     """Decay over half an oscillation, and its duration [s]."""
     require_positive("frequency", frequency)
     if not 0.0 <= damping < 1.0:
-        raise InputError(f"damping must be a ratio from 0 to below 1, got {damping!r}")
+        raise InputError(f"damping must be a ratio from 0 to below 1, got {shown(damping)}")
     root = sqrt(1.0 - damping**2)
     return exp(-damping * pi / root), pi / (frequency * root)
 
@@ -207,4 +207,4 @@ class Shaped:
 
 def _require_derivative(derivative: int) -> None:
     if derivative not in (0, 1, 2):
-        raise InputError(f"derivative must be 0, 1 or 2, got {derivative!r}")
+        raise InputError(f"derivative must be 0, 1 or 2, got {shown(derivative)}")

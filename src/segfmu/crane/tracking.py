@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, shown
 from segfmu.crane.checks import require_not_negative, require_positive, sized
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import SIGNS
@@ -113,7 +113,7 @@ class TrackingController:
     ) -> None:
         require_positive("payload_time", payload_time)
         if offset_cause not in CAUSES:
-            raise InputError(f"offset_cause must be wind or sensor, got {offset_cause!r}")
+            raise InputError(f"offset_cause must be wind or sensor, got {shown(offset_cause)}")
         period = observer.sample_time
         self.observer = observer
         own = np.zeros(Tracking.SIZE)

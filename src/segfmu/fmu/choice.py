@@ -84,7 +84,7 @@ def _backend(fmi: int, backend: str, platforms: str, everywhere: bool) -> Choice
     for name in names:
         if name not in PLATFORMS:
             raise InputError(
-                f"platforms must be all or some of {', '.join(PLATFORMS)}, got {name!r}"
+                f"platforms must be all or some of {', '.join(PLATFORMS)}, got {shown(name)}"
             )
     if backend == "python":
         if fmi == 3 or names:

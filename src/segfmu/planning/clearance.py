@@ -82,7 +82,9 @@ class Obstacle(Frozen):
                 )
         gap = finite_vector(f"obstacle {name}: margin", margin)
         if gap.size != 1 or gap[0] < 0.0:
-            raise InputError(f"obstacle {name}: margin must be a distance >= 0 m, got {margin!r}")
+            raise InputError(
+                f"obstacle {name}: margin must be a distance >= 0 m, got {shown(margin)}"
+            )
         if not isinstance(rope, bool | np.bool_):
             raise InputError(f"obstacle {name}: rope must be True or False, got {shown(rope)}")
         for key, value in (

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from segfmu.arrays import shown
 from segfmu.errors import InputError
 from segfmu.planning import read_waypoints
 from segfmu.validation.files import crane_parameters
@@ -135,7 +136,7 @@ def _with_files(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
 def _named(mission: Path | None, key: str, name: str) -> Path:
     """A file that a mission names."""
     if not name.strip():
-        raise InputError(f"{mission or 'mission'}: {key}: no file is named, got {name!r}")
+        raise InputError(f"{mission or 'mission'}: {key}: no file is named, got {shown(name)}")
     return Path(name) if mission is None else mission.parent / name
 
 

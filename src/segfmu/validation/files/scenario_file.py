@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from segfmu.arrays import shown
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.kinds import require_kind
@@ -177,7 +178,7 @@ def _inherited(path: Path, below: tuple[Path, ...]) -> dict[str, Any]:
     if base is None:
         return data
     if not isinstance(base, str):
-        raise InputError(f"{path}: base: must be the name of a file, got {base!r}")
+        raise InputError(f"{path}: base: must be the name of a file, got {shown(base)}")
     try:
         old = _inherited(path.parent / base, (*below, place))
     except InputError as error:
