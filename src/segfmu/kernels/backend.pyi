@@ -532,6 +532,7 @@ def demand_samples(
     resistance: Floats,
     contacts: Floats,
     work: Floats,
+    samples: int,
     peaks: Floats,
     times: Floats,
     /,
