@@ -54,3 +54,8 @@ def test_the_search_nearly_reaches_the_optimum(seed: int) -> None:
     begun = (slower * (shorter @ order) - starts @ shorter).min()
     assert begun > 0.02
     assert -1e-9 <= found(shorter, more, starts) <= 1e-3
+
+
+def test_the_state_of_a_search_fits_in_its_row() -> None:
+    """A search without free states has the fewest columns; what is beyond them is written over."""
+    assert SearchState.SIZE <= SIZE
