@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from benchmarks.operated import LAB, SITES, Site, commands, met, needs
+from benchmarks.operated import LAB, PORT, SITES, Site, commands, met, needs
 
 from segfmu import (
     ActuatorBounds,
@@ -225,12 +225,76 @@ def test_an_obstacle_blocks_until_the_load_is_above_it() -> None:
     follow(operator, 4.0)
     assert operator.refused == "obstacle"
     # its margin is 20 mm
-    assert 0.1 < operator.load[0, 0] <= 0.18 + 1e-8
+    assert operator.load[0, 0] == pytest.approx(0.18, abs=1e-8)
     np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
     # up while it is pushed against the box, then over it
     operator.command("velocity", velocity=[0.4, 0.0, 0.2])
     follow(operator, 6.0)
     assert operator.load[0, 0] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_drives_that_do_not_follow_stop_at_the_obstacle_too() -> None:
+    # a long rope: with the limits of the load the trolley accelerates by more than its bound
+    operator = PORT.operator()
+    operator.command("target", target=[0.0, 0.0, -30.0])
+    follow(operator, 40.0, PORT.step)
+    operator.command("velocity", velocity=[0.0, 3.0, 0.0])
+    follow(operator, 40.0, PORT.step)
+    # half of the load is 1.2 m wide, the margin 0.5 m
+    assert operator.load[0, 1] == pytest.approx(20.0 - 1.2 - 0.5, abs=1e-6)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
+
+
+def test_a_load_beside_an_obstacle_rises_at_full_speed_and_goes_on_above() -> None:
+    operator = LAB.operator()
+    operator.command("target", target=[0.18, 0.0, -0.8])
+    follow(operator, 4.0)
+    operator.command("velocity", velocity=[0.4, 0.0, 0.3])
+    motion = follow(operator, 4.0)
+    place, velocity = motion[:, 0], motion[:, 1]
+    below = place[:, 2] < -0.48
+    assert (place[below, 0] < 0.18 + 1e-8).all()
+    assert velocity[below, 2].max() == pytest.approx(0.3)
+    # nothing is in the way any more, and within two tenths of a second it is tried again
+    above = int(np.argmax(~below))
+    assert velocity[above + 20, 0] > 0.0
+
+
+def test_the_obstacle_behind_the_first_one_is_the_next_end() -> None:
+    boxes = [
+        Obstacle("near", [0.2, -0.2, -0.9], [0.3, 0.2, -0.6], 0.0),
+        Obstacle("far", [0.6, -0.2, -0.9], [0.7, 0.2, -0.3], 0.0),
+    ]
+    operator = free(clearance=Clearance(boxes, minimum=[-1.0, -1.0, -0.9]))
+    operator.command("target", target=[0.0, 0.0, -0.7])
+    follow(operator, 3.0)
+    operator.command("velocity", velocity=[0.3, 0.0, 0.05])
+    follow(operator, 8.0)
+    assert operator.load[0, 0] == pytest.approx(0.6, abs=1e-8)
+    assert operator.load[0, 2] < -0.3
+
+
+@pytest.mark.parametrize("name", SITES)
+def test_what_is_built_up_slowly_does_not_turn_back(name: str) -> None:
+    site = SITES[name]
+    low, high = (np.asarray(end) for end in (site.clearance.minimum, site.clearance.maximum))
+    rng = np.random.default_rng(5)
+    most = np.asarray(site.limits.velocity)
+    moved = 0
+    while moved < 40:
+        start = rng.uniform(low, high)
+        start[2] = max(start[2], -site.crane.rope_max)
+        velocity = rng.uniform(-1.0, 1.0, 3) * most
+        try:
+            operator = Operator(
+                site.crane, site.limits, start, bounds=site.bounds, clearance=site.clearance
+            )
+        except InfeasibleError:
+            continue
+        operator.command("velocity", velocity=velocity)
+        motion = follow(operator, 400 * site.step, site.step)
+        moved += 1
+        assert (motion[:, 1] * np.sign(velocity) / most).min() > -0.01
 
 
 def test_a_target_is_reached_and_left_for_another() -> None:

@@ -386,8 +386,6 @@ static void write_target(double scale, array_double_1d aim, array_double_1d comm
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_aim(int64_t row, array_double_2d operation);
-static int64_t most_attempts(void);
-static int64_t first_stop(void);
 static double pace_of(int64_t attempt);
 static double share_of(int64_t attempt, int64_t axis);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
@@ -507,13 +505,13 @@ static double covered_time(array_double_2d operation);
 static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static double way_left(int64_t axis, double velocity, double rest, array_double_2d known);
-static double room_left(int64_t axis, array_double_2d operation, array_double_2d known);
-static void hold_shares(array_double_2d operation, array_double_2d known);
+static double way_left(double velocity, double rest, array_double_1d way);
+static double room_left(int64_t axis, array_double_2d operation);
+static void hold_shares(array_double_2d operation);
 static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
 static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool holds_long_enough(double elapsed, array_double_2d operation);
-static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_calming(array_double_2d operation);
 static bool aims_elsewhere(array_double_2d operation);
 static void note_calming(array_double_2d operation);
@@ -892,8 +890,9 @@ static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d 
 static bool reach_velocity(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static bool shrink_share(int64_t axis, bool last, array_double_2d operation, array_double_2d known);
-static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool shrink_share(int64_t axis, bool last, array_double_2d operation);
+static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -967,15 +966,28 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static void open_ways(array_double_2d operation, array_double_2d known);
+static bool are_ways_kept(array_double_2d operation);
+static void keep_ways(array_double_2d operation);
+static double depth_towards(int64_t axis, double low, double high, double place, array_double_2d operation);
+static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool is_prolonged(array_double_2d operation);
+static bool keeps_stopping(int64_t attempt, array_double_2d operation);
+static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static bool is_stop(array_double_1d aim);
+static int64_t rank(int64_t attempt, array_double_2d operation);
+static void note_taken(int64_t attempt, array_double_2d operation);
+static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool holds_until_next(array_double_2d operation);
+static bool renew_holds(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
 static bool trips(array_double_2d operation);
 static bool brake_anew(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void begin_swing(array_double_2d operation);
-static bool is_stop(array_double_1d aim);
-static void note_taken(int64_t attempt, array_double_2d operation);
-static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static bool keeps_stopping(int64_t attempt, array_double_2d operation);
-static int64_t rank(int64_t attempt, array_double_1d aim);
-static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static bool is_due(array_double_2d operation);
+static bool is_served(double elapsed, array_double_2d operation);
+static bool renews(double elapsed, array_double_2d operation);
 static void write_variables(bool step, array_double_1d path, array_double_3d spots, array_double_3d links);
 static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t column, int64_t order, array_double_1d track);
 static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square);
@@ -3351,6 +3363,7 @@ int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficient
         return INT64_C(0);
     }
     number = (int64_t)((*cspan_at(&fault, INT64_C(5))));
+    (*cspan_at(&fault, INT64_C(9))) = part;
     if (number >= INT64_C(6))
     {
         (*cspan_at(&fault, INT64_C(5))) = number - INT64_C(6);
@@ -13769,14 +13782,6 @@ static bool is_aim(int64_t row, array_double_2d operation)
     }
     return 1;
 }
-static int64_t most_attempts(void)
-{
-    return INT64_C(9);
-}
-static int64_t first_stop(void)
-{
-    return INT64_C(6);
-}
 static double pace_of(int64_t attempt)
 {
     if ((attempt == INT64_C(1)) || (attempt == INT64_C(7)))
@@ -13791,7 +13796,7 @@ static double pace_of(int64_t attempt)
 }
 static double share_of(int64_t attempt, int64_t axis)
 {
-    if (attempt >= first_stop())
+    if (attempt >= INT64_C(6))
     {
         return 0.0;
     }
@@ -13815,13 +13820,14 @@ static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim)
     bool blocked;
     double horizontal;
     double vertical;
-    slows = (attempt == INT64_C(1)) || (attempt == INT64_C(2)) || (attempt == INT64_C(7)) || (attempt == INT64_C(8));
+    slows = (attempt == INT64_C(1)) || (attempt == INT64_C(2));
+    slows = slows || (attempt == INT64_C(7)) || (attempt == INT64_C(8));
     blocked = (failed == INT64_C(4)) || (failed == INT64_C(5));
     if (slows && blocked)
     {
         return 0;
     }
-    if (attempt >= first_stop())
+    if (attempt >= INT64_C(6))
     {
         return 1;
     }
@@ -13847,7 +13853,7 @@ static void set_lower_of(int64_t place, array_double_2d operation, array_double_
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
             share = (*cspan_at(&limits, place, axis, i)) / (*cspan_at(&limits, INT64_C(0), axis, i));
-            (*cspan_at(&operation, INT64_C(17) + axis, i)) = share * (*cspan_at(&known, INT64_C(6) + axis, i));
+            (*cspan_at(&operation, INT64_C(23) + axis, i)) = share * (*cspan_at(&known, INT64_C(6) + axis, i));
         }
     }
 }
@@ -13860,7 +13866,7 @@ static void set_attempt(int64_t attempt, array_double_2d operation, array_double
     int64_t i;
     pace = pace_of(attempt);
     scale = 1.0;
-    if (((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5) && (attempt < first_stop()))
+    if (((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5) && (attempt < INT64_C(6)))
     {
         scale = (*cspan_at(&operation, INT64_C(1), INT64_C(4)));
     }
@@ -15546,8 +15552,8 @@ static void write_swing(double least, array_double_2d operation, array_double_2d
     double step;
     int64_t axis;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    swing = span_row(&operation, INT64_C(26));
-    ahead = span_row(&operation, INT64_C(27));
+    swing = span_row(&operation, INT64_C(32));
+    ahead = span_row(&operation, INT64_C(33));
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&ahead, i)) = (*cspan_at(&swing, i));
@@ -15626,11 +15632,11 @@ static void begin_controlled(array_double_2d operation)
     int64_t axis;
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(27), i)) = (*cspan_at(&operation, INT64_C(26), i));
+        (*cspan_at(&operation, INT64_C(33), i)) = (*cspan_at(&operation, INT64_C(32), i));
     }
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(27), INT64_C(17) + axis)) = 1e+300;
+        (*cspan_at(&operation, INT64_C(33), INT64_C(17) + axis)) = 1e+300;
     }
 }
 static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work)
@@ -15643,7 +15649,7 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     double inner;
     int64_t last;
     double phase;
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     length = (*cspan_at(&swing, INT64_C(2) + INT64_C(2)));
     shortest = length;
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
@@ -15726,7 +15732,7 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     double rate;
     double result;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    ahead = span_row(&operation, INT64_C(27));
+    ahead = span_row(&operation, INT64_C(33));
     begin_controlled(operation);
     for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
     {
@@ -15788,7 +15794,7 @@ static void write_controlled(double interval, array_double_2d operation, array_d
     int64_t axis;
     int64_t row;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    ahead = span_row(&operation, INT64_C(27));
+    ahead = span_row(&operation, INT64_C(33));
     parts = span_min_int(INT64_C(2) + interval_parts(0.05, interval, operation, gravity, work), INT64_C(4));
     begin_controlled(operation);
     step = interval / parts;
@@ -16239,7 +16245,7 @@ static void note_present(double elapsed, array_double_2d operation, array_double
         row = (*cspan_at(&offsets, rest + axis));
         for (order = INT64_C(0); order < span_floor_div(width, INT64_C(2)) + INT64_C(1); order += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(13) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
+            (*cspan_at(&operation, INT64_C(19) + axis, order)) = evaluate_piece(span_matrix(&coefficients, INT64_C(1)), row, width, 0.0, order);
         }
     }
 }
@@ -16257,7 +16263,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
     {
         for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(19) + axis, i));
             (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
         }
         (*cspan_at(&states, INT64_C(1), axis, INT64_C(0))) = standstill(INT64_C(4), axis, timing, coefficients, offsets);
@@ -16339,7 +16345,7 @@ static void set_way(int64_t axis, array_double_2d operation, array_double_2d wor
     {
         sense = -1.0;
     }
-    (*cspan_at(&work, INT64_C(151), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(26), INT64_C(2) + axis));
+    (*cspan_at(&work, INT64_C(151), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(32), INT64_C(2) + axis));
 }
 static int64_t most_runs(void)
 {
@@ -16356,7 +16362,7 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     double before;
     int64_t Dummy_0000;
     double angle;
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     aims = span_row(&work, INT64_C(151));
     last = INT64_C(2);
     interval = duration / INT64_C(99);
@@ -16417,7 +16423,7 @@ static double least_time(double share, array_double_2d operation, array_double_2
     double way;
     double fastest;
     double found;
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
     found = 0.001 / frequency;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
@@ -16531,12 +16537,12 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
     int64_t order;
     array_double_1d state;
     flat = span_rows(&work, INT64_C(162), INT64_C(167));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
         {
-            (*cspan_at(&flat, order, axis)) = (*cspan_at(&operation, INT64_C(13) + axis, order));
+            (*cspan_at(&flat, order, axis)) = (*cspan_at(&operation, INT64_C(19) + axis, order));
         }
     }
     invert_flat(known, work);
@@ -16559,7 +16565,7 @@ static void note_trips(array_double_2d operation)
     int64_t drive;
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(26), INT64_C(28) + drive)) = (*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive));
+        (*cspan_at(&operation, INT64_C(32), INT64_C(28) + drive)) = (*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive));
     }
 }
 static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known)
@@ -16685,8 +16691,8 @@ static bool brakes_with(double share, array_double_2d operation, array_double_2d
     int64_t pieces;
     int64_t swings;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    swing = span_row(&operation, INT64_C(26));
-    ahead = span_row(&operation, INT64_C(27));
+    swing = span_row(&operation, INT64_C(32));
+    ahead = span_row(&operation, INT64_C(33));
     set_brakes(share, swing, known);
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
@@ -16734,7 +16740,7 @@ static bool plan_brakes(array_double_2d operation, array_double_2d known, array_
     bool result;
     for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
     {
-        if (!(least_brake(drive, span_row(&operation, INT64_C(26)), known) > 0.0))
+        if (!(least_brake(drive, span_row(&operation, INT64_C(32)), known) > 0.0))
         {
             return 0;
         }
@@ -16786,7 +16792,7 @@ static bool begin_emergency(array_double_2d operation, array_double_2d known, ar
     double gravity;
     array_double_1d swing;
     gravity = (*cspan_at(&known, INT64_C(0), INT64_C(3)));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     if (!plan_emergency(operation, known, work))
     {
         (*cspan_at(&operation, INT64_C(4), INT64_C(2))) = INT64_C(6);
@@ -16809,7 +16815,7 @@ static bool prolong_swing(double elapsed, array_double_2d operation, array_doubl
     array_double_1d command;
     array_double_1d swing;
     command = span_row(&operation, INT64_C(0));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     if (elapsed + (*cspan_at(&command, INT64_C(1))) + 0.501 * (*cspan_at(&command, INT64_C(14))) < (*cspan_at(&swing, INT64_C(1))))
     {
         return 0;
@@ -16824,7 +16830,7 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
     double elapsed;
     bool result;
     command = span_row(&operation, INT64_C(0));
-    if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
+    if ((*cspan_at(&operation, INT64_C(32), INT64_C(0))) > 0.5)
     {
         return 1;
     }
@@ -16833,28 +16839,28 @@ bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, 
     result = plan_emergency(operation, known, work);
     return result;
 }
-static double way_left(int64_t axis, double velocity, double rest, array_double_2d known)
+static double way_left(double velocity, double rest, array_double_1d way)
 {
     double result;
     if (velocity > 0.0)
     {
-        result = high_end(axis, known) - rest;
+        result = (*cspan_at(&way, INT64_C(1))) - rest;
         return result;
     }
     if (velocity < 0.0)
     {
-        result = rest - low_end(axis, known);
+        result = rest - (*cspan_at(&way, INT64_C(0)));
         return result;
     }
     return 1e+300;
 }
-static double room_left(int64_t axis, array_double_2d operation, array_double_2d known)
+static double room_left(int64_t axis, array_double_2d operation)
 {
     double result;
-    result = way_left(axis, (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))), known);
+    result = way_left((*cspan_at(&operation, INT64_C(26) + axis, INT64_C(1))), (*cspan_at(&operation, INT64_C(29) + axis, INT64_C(0))), span_row(&operation, INT64_C(16) + axis));
     return result;
 }
-static void hold_shares(array_double_2d operation, array_double_2d known)
+static void hold_shares(array_double_2d operation)
 {
     array_double_1d command;
     double until;
@@ -16869,14 +16875,14 @@ static void hold_shares(array_double_2d operation, array_double_2d known)
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         held = span_row(&operation, INT64_C(9) + axis);
-        velocity = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
-        delay = (*cspan_at(&operation, INT64_C(20) + axis, INT64_C(3)));
+        velocity = (*cspan_at(&operation, INT64_C(22), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+        delay = (*cspan_at(&operation, INT64_C(26) + axis, INT64_C(3)));
         (*cspan_at(&held, INT64_C(0))) = velocity;
         (*cspan_at(&held, INT64_C(1))) = delay;
         (*cspan_at(&held, INT64_C(2))) = 0.0;
         if (fabs(velocity) > 0.0)
         {
-            longest = span_max(room_left(axis, operation, known), 0.0) / fabs(velocity);
+            longest = span_max(room_left(axis, operation), 0.0) / fabs(velocity);
             hold = span_max(until - delay, 0.0);
             if (hold < longest)
             {
@@ -16914,7 +16920,7 @@ static bool join_held(array_double_2d operation, array_double_3d timing, array_d
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&offsets, tried + axis)) = target;
-        reached = span_row(&operation, INT64_C(20) + axis);
+        reached = span_row(&operation, INT64_C(26) + axis);
         held = span_row(&operation, INT64_C(9) + axis);
         hold = (*cspan_at(&held, INT64_C(1))) - (*cspan_at(&reached, INT64_C(3)));
         leads = INT64_C(2) * INT64_C(4) + axis;
@@ -16960,7 +16966,7 @@ static bool holds_long_enough(double elapsed, array_double_2d operation)
     }
     return 1;
 }
-static bool prolong_holds(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+static bool prolong_holds(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
 {
     array_double_1d command;
     double until;
@@ -16972,6 +16978,7 @@ static bool prolong_holds(double elapsed, array_double_2d operation, array_doubl
     int64_t last;
     int64_t first;
     double rest;
+    array_double_1d way;
     double longest;
     double longer;
     int64_t row;
@@ -16988,6 +16995,10 @@ static bool prolong_holds(double elapsed, array_double_2d operation, array_doubl
         {
             (*cspan_at(&held, i)) = (*cspan_at(&operation, INT64_C(6) + axis, i));
         }
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(16) + axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+        }
         before = (*cspan_at(&held, INT64_C(1))) - elapsed;
         (*cspan_at(&held, INT64_C(1))) = before;
         if ((*cspan_at(&held, INT64_C(2))) > 0.5)
@@ -17000,7 +17011,8 @@ static bool prolong_holds(double elapsed, array_double_2d operation, array_doubl
             last = (*cspan_at(&offsets, INT64_C(4) * INT64_C(4) + axis + INT64_C(1)));
             first = last - (int64_t)((*cspan_at(&held, INT64_C(3))));
             rest = standstill(INT64_C(4), axis, timing, coefficients, offsets);
-            longest = span_max(way_left(axis, velocity, rest, known), 0.0) / fabs(velocity);
+            way = span_row(&operation, INT64_C(16) + axis);
+            longest = span_max(way_left(velocity, rest, way), 0.0) / fabs(velocity);
             longer = span_max(until - before, 0.0);
             if (longest <= longer)
             {
@@ -17020,7 +17032,7 @@ static bool prolong_holds(double elapsed, array_double_2d operation, array_doubl
 static bool is_calming(array_double_2d operation)
 {
     bool result;
-    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(26), INT64_C(31)));
+    result = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) < (*cspan_at(&operation, INT64_C(32), INT64_C(31)));
     return result;
 }
 static bool aims_elsewhere(array_double_2d operation)
@@ -17052,7 +17064,7 @@ static double next_calm(array_double_2d operation)
     double stands;
     double result;
     progress = span_row(&operation, INT64_C(4));
-    stands = (*cspan_at(&progress, INT64_C(0))) + stand_time(span_row(&operation, INT64_C(26)));
+    stands = (*cspan_at(&progress, INT64_C(0))) + stand_time(span_row(&operation, INT64_C(32)));
     result = span_max(stands, (*cspan_at(&progress, INT64_C(4))));
     return result;
 }
@@ -17093,7 +17105,7 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
     int64_t i;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     copy_plan(INT64_C(4), INT64_C(0), timing, coefficients, offsets);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -17103,13 +17115,13 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
         }
         for (i = INT64_C(0); i < INT64_C(102); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(29) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i));
+            (*cspan_at(&operation, INT64_C(35) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i));
         }
     }
     (*cspan_at(&swing, INT64_C(0))) = 0.0;
     (*cspan_at(&swing, INT64_C(31))) = (*cspan_at(&command, INT64_C(0))) + plan_end(INT64_C(0), INT64_C(0), timing, offsets);
     (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&command, INT64_C(0)));
-    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
+    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
     (*cspan_at(&progress, INT64_C(3))) = 0.0;
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
@@ -17132,9 +17144,9 @@ static bool try_calm(bool rests, array_double_2d operation, array_double_2d know
     int64_t status;
     progress = span_row(&operation, INT64_C(4));
     aim = span_row(&operation, INT64_C(1));
-    radian = 20.0 * resolved_step((*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)));
+    radian = 20.0 * resolved_step((*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(32)));
     retry = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) + radian;
-    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
+    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&progress, INT64_C(10))) + 1.0;
     status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
     if (status != INT64_C(0))
     {
@@ -17156,7 +17168,7 @@ static bool try_calm(bool rests, array_double_2d operation, array_double_2d know
 }
 static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
 {
-    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)), work);
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(32)), work);
     cover_swing(operation, known, timing, coefficients, offsets, work);
     write_calm_aim(operation);
     try_calm(1, operation, known, timing, coefficients, offsets, work, stack);
@@ -17166,7 +17178,7 @@ static void put_aside(array_double_2d operation)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(28), i)) = (*cspan_at(&operation, INT64_C(26), i));
+        (*cspan_at(&operation, INT64_C(34), i)) = (*cspan_at(&operation, INT64_C(32), i));
     }
 }
 static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
@@ -17180,12 +17192,12 @@ static void note_calm_state(double elapsed, array_double_2d operation, array_dou
     int64_t axis;
     double snap;
     double jerk;
-    swing = span_row(&operation, INT64_C(26));
-    ahead = span_row(&operation, INT64_C(27));
+    swing = span_row(&operation, INT64_C(32));
+    ahead = span_row(&operation, INT64_C(33));
     begin = (*cspan_at(&operation, INT64_C(4), INT64_C(0)));
     interval = ((*cspan_at(&swing, INT64_C(31))) - begin) / INT64_C(99);
     k = span_min_int(span_max_int((int64_t)(elapsed / interval), INT64_C(0)), INT64_C(99) - INT64_C(1));
-    set_knot(k, interval, ahead, span_rows(&operation, INT64_C(29), INT64_C(32)));
+    set_knot(k, interval, ahead, span_rows(&operation, INT64_C(35), INT64_C(38)));
     since = elapsed - k * interval;
     note_present(elapsed, operation, timing, coefficients, offsets);
     note_swing(operation, known, work);
@@ -17202,7 +17214,7 @@ static void bring_back(array_double_2d operation)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
-        (*cspan_at(&operation, INT64_C(26), i)) = (*cspan_at(&operation, INT64_C(28), i));
+        (*cspan_at(&operation, INT64_C(32), i)) = (*cspan_at(&operation, INT64_C(34), i));
     }
 }
 static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
@@ -17270,7 +17282,7 @@ static void write_measured(array_double_2d operation, array_double_2d known, arr
     double rate_y;
     command = span_row(&operation, INT64_C(0));
     state = span_piece(&command, INT64_C(21), INT64_C(31));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     for (i = INT64_C(0); i < INT64_C(32); i += INT64_C(1))
     {
         (*cspan_at(&swing, i)) = 0.0;
@@ -17307,7 +17319,7 @@ int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d kno
     double retry;
     int64_t result;
     progress = span_row(&operation, INT64_C(4));
-    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&operation, INT64_C(0), INT64_C(20)));
+    (*cspan_at(&progress, INT64_C(11))) = (*cspan_at(&operation, INT64_C(0), INT64_C(20)));
     if (!is_hanging(span_row(&operation, INT64_C(0))))
     {
         (*cspan_at(&progress, INT64_C(1))) = INT64_C(3);
@@ -17340,10 +17352,10 @@ static bool takes_measured(array_double_2d operation, array_double_2d known, arr
     }
     if (!((*cspan_at(&command, INT64_C(20))) > 0.5))
     {
-        (*cspan_at(&progress, INT64_C(10))) = 0.0;
+        (*cspan_at(&progress, INT64_C(11))) = 0.0;
         return 0;
     }
-    if ((*cspan_at(&progress, INT64_C(10))) > 0.5)
+    if ((*cspan_at(&progress, INT64_C(11))) > 0.5)
     {
         return 0;
     }
@@ -27741,7 +27753,7 @@ static void set_motion(array_double_2d operation, array_double_3d states)
     {
         for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(19) + axis, i));
             (*cspan_at(&states, INT64_C(1), axis, i)) = 0.0;
         }
     }
@@ -27789,13 +27801,13 @@ static bool reach_velocity(int64_t axis, array_double_2d operation, array_double
     bool result;
     for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
     {
-        (*cspan_at(&states, INT64_C(0), INT64_C(0), i)) = (*cspan_at(&operation, INT64_C(13) + axis, i));
+        (*cspan_at(&states, INT64_C(0), INT64_C(0), i)) = (*cspan_at(&operation, INT64_C(19) + axis, i));
         (*cspan_at(&states, INT64_C(1), INT64_C(0), i)) = 0.0;
     }
-    wish = (*cspan_at(&operation, INT64_C(16), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+    wish = (*cspan_at(&operation, INT64_C(22), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
     (*cspan_at(&states, INT64_C(1), INT64_C(0), INT64_C(1))) = wish;
-    reached = INT64_C(20) + axis;
-    lower = INT64_C(17) + axis;
+    reached = INT64_C(26) + axis;
+    lower = INT64_C(23) + axis;
     result = lead_of(axis, INT64_C(1), INT64_C(2), span_rows(&operation, reached, reached + INT64_C(1)), span_rows(&limits, axis, axis + INT64_C(1)), span_rows(&operation, lower, lower + INT64_C(1)), timing, coefficients, offsets, states, lead);
     return result;
 }
@@ -27806,7 +27818,7 @@ static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d
     int64_t stopped;
     int64_t lower;
     bool result;
-    reached = span_row(&operation, INT64_C(20) + axis);
+    reached = span_row(&operation, INT64_C(26) + axis);
     for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
     {
         (*cspan_at(&states, INT64_C(0), INT64_C(0), i)) = 0.0;
@@ -27814,8 +27826,8 @@ static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d
     }
     (*cspan_at(&states, INT64_C(0), INT64_C(0), INT64_C(0))) = (*cspan_at(&reached, INT64_C(0)));
     (*cspan_at(&states, INT64_C(0), INT64_C(0), INT64_C(1))) = (*cspan_at(&reached, INT64_C(1)));
-    stopped = INT64_C(23) + axis;
-    lower = INT64_C(17) + axis;
+    stopped = INT64_C(29) + axis;
+    lower = INT64_C(23) + axis;
     clear_plan(INT64_C(5), offsets);
     result = lead_of(axis, INT64_C(5), INT64_C(3), span_rows(&operation, stopped, stopped + INT64_C(1)), span_rows(&limits, axis, axis + INT64_C(1)), span_rows(&operation, lower, lower + INT64_C(1)), timing, coefficients, offsets, states, lead);
     return result;
@@ -27833,20 +27845,20 @@ static bool reach_velocities(array_double_2d operation, array_double_2d limits, 
     }
     return 1;
 }
-static bool shrink_share(int64_t axis, bool last, array_double_2d operation, array_double_2d known)
+static bool shrink_share(int64_t axis, bool last, array_double_2d operation)
 {
     double left;
     double stopping;
     double way;
     double share;
     double ratio;
-    left = room_left(axis, operation, known);
+    left = room_left(axis, operation);
     if (left >= 0.0)
     {
         return 0;
     }
-    stopping = (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0)));
-    way = fabs(stopping - (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(0))));
+    stopping = (*cspan_at(&operation, INT64_C(29) + axis, INT64_C(0)));
+    way = fabs(stopping - (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(0))));
     share = 0.0;
     if ((!last) && (way + left > 0.0))
     {
@@ -27856,7 +27868,33 @@ static bool shrink_share(int64_t axis, bool last, array_double_2d operation, arr
     (*cspan_at(&operation, INT64_C(12), axis)) = share * (*cspan_at(&operation, INT64_C(12), axis));
     return 1;
 }
-static bool seek_velocity(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+{
+    double now;
+    double wish;
+    double direction;
+    int64_t leads;
+    int64_t row;
+    double velocity;
+    now = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(1)));
+    wish = (*cspan_at(&operation, INT64_C(22), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+    if (now * wish < 0.0)
+    {
+        return 0;
+    }
+    direction = now + wish;
+    leads = INT64_C(2) * INT64_C(4) + axis;
+    for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + INT64_C(1))); row += INT64_C(1))
+    {
+        velocity = evaluate_piece(span_matrix(&coefficients, INT64_C(2)), row, coefficients.shape[INT64_C(2)], (*cspan_at(&timing, INT64_C(2), row, INT64_C(1))), INT64_C(1));
+        if (velocity * direction < (-1e-06) * direction * direction)
+        {
+            return 1;
+        }
+    }
+    return 0;
+}
+static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
     int64_t tries;
     int64_t axis;
@@ -27872,17 +27910,21 @@ static bool seek_velocity(array_double_2d operation, array_double_2d limits, arr
             {
                 return 0;
             }
+            if (slow && goes_back(axis, operation, timing, coefficients, offsets))
+            {
+                return 0;
+            }
             if (!stop_behind(axis, operation, limits, timing, coefficients, offsets, states, lead))
             {
                 return 0;
             }
-            if (!shrink_share(axis, i == tries - INT64_C(2), operation, known))
+            if (!shrink_share(axis, i == tries - INT64_C(2), operation))
             {
                 break;
             }
         }
     }
-    hold_shares(operation, known);
+    hold_shares(operation);
     result = join_held(operation, timing, coefficients, offsets);
     return result;
 }
@@ -29900,7 +29942,7 @@ static void set_ends(array_double_2d operation, array_double_3d states)
         }
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(20) + axis, i));
+            (*cspan_at(&states, INT64_C(0), axis, i)) = (*cspan_at(&operation, INT64_C(26) + axis, i));
         }
     }
     set_place(operation, states);
@@ -29928,9 +29970,9 @@ static bool is_too_fast(array_double_2d operation, array_double_2d limits)
     faster = 0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        velocity = (*cspan_at(&operation, INT64_C(13) + axis, INT64_C(1)));
-        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(17) + axis, INT64_C(0))));
-        (*cspan_at(&operation, INT64_C(16), axis)) = slowed;
+        velocity = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(1)));
+        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))));
+        (*cspan_at(&operation, INT64_C(22), axis)) = slowed;
         (*cspan_at(&operation, INT64_C(12), axis)) = 1.0;
         if (fabs(velocity - slowed) > 1e-09 * (*cspan_at(&limits, axis, INT64_C(0))))
         {
@@ -29953,7 +29995,7 @@ static bool lead_to_target(array_double_2d operation, array_double_2d limits, ar
     set_motion(operation, states);
     set_place(operation, states);
     set_lead(INT64_C(2), (int64_t)((*cspan_at(&options, INT64_C(1)))), meeting, lead);
-    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(20), INT64_C(23)), limits, span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, lead);
+    result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(26), INT64_C(29)), limits, span_rows(&operation, INT64_C(23), INT64_C(26)), timing, coefficients, offsets, states, lead);
     return result;
 }
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
@@ -30006,7 +30048,7 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
         return 0;
     }
     set_ends(operation, states);
-    found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(17), INT64_C(20)), timing, coefficients, offsets, states, cells, lead, work);
+    found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(23), INT64_C(26)), timing, coefficients, offsets, states, cells, lead, work);
     rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets);
     if ((!found) || (rows > INT64_C(1200)))
     {
@@ -30022,72 +30064,166 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     }
     return 1;
 }
-static bool trips(array_double_2d operation)
+static void open_ways(array_double_2d operation, array_double_2d known)
 {
-    int64_t drive;
-    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    int64_t axis;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        if ((*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive)) > 0.5)
+        (*cspan_at(&operation, INT64_C(16) + axis, INT64_C(0))) = low_end(axis, known);
+        (*cspan_at(&operation, INT64_C(16) + axis, INT64_C(1))) = high_end(axis, known);
+    }
+}
+static bool are_ways_kept(array_double_2d operation)
+{
+    int64_t axis;
+    int64_t i;
+    double kept;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
-            if ((*cspan_at(&operation, INT64_C(26), INT64_C(28) + drive)) < 0.5)
+            kept = (*cspan_at(&operation, INT64_C(13) + axis, i));
+            if (kept != (*cspan_at(&operation, INT64_C(16) + axis, i)))
             {
-                return 1;
+                return 0;
             }
         }
     }
-    return 0;
-}
-static bool brake_anew(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
-{
-    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(26)), work);
-    put_aside(operation);
-    note_trips(operation);
-    if (!plan_brakes(operation, known, work))
-    {
-        bring_back(operation);
-        note_trips(operation);
-        (*cspan_at(&operation, INT64_C(4), INT64_C(2))) = INT64_C(6);
-    }
-    cover_swing(operation, known, timing, coefficients, offsets, work);
     return 1;
 }
-void segfmu_begin_operation(double time, array_double_2d operation)
+static void keep_ways(array_double_2d operation)
 {
-    int64_t row;
-    int64_t i;
-    for (row = INT64_C(1); row < INT64_C(32); row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&operation, row, i)) = 0.0;
-        }
-    }
-    (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = time;
-    (*cspan_at(&operation, INT64_C(4), INT64_C(4))) = time;
-    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = time;
-    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
-}
-static void begin_swing(array_double_2d operation)
-{
-    array_double_1d progress;
     int64_t axis;
     int64_t i;
-    progress = span_row(&operation, INT64_C(4));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(6) + axis, i)) = 0.0;
+            (*cspan_at(&operation, INT64_C(13) + axis, i)) = (*cspan_at(&operation, INT64_C(16) + axis, i));
         }
     }
-    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
-    (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
-    (*cspan_at(&progress, INT64_C(3))) = 0.0;
-    (*cspan_at(&progress, INT64_C(6))) = 0.0;
-    (*cspan_at(&progress, INT64_C(4))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
-    (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
-    (*cspan_at(&operation, INT64_C(26), INT64_C(31))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
-    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+}
+static double depth_towards(int64_t axis, double low, double high, double place, array_double_2d operation)
+{
+    double wish;
+    double now;
+    array_double_1d way;
+    double touch;
+    wish = (*cspan_at(&operation, INT64_C(22), axis)) * (*cspan_at(&operation, INT64_C(12), axis));
+    now = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(0)));
+    way = span_row(&operation, INT64_C(16) + axis);
+    touch = 1e-09 * span_max(fabs(low), fabs(high));
+    if ((wish > 0.0) && (now <= low + touch) && ((*cspan_at(&way, INT64_C(1))) > low))
+    {
+        return place - low;
+    }
+    if ((wish < 0.0) && (now >= high - touch) && ((*cspan_at(&way, INT64_C(0))) < high))
+    {
+        return high - place;
+    }
+    return 1e+300;
+}
+static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work)
+{
+    array_double_1d fault;
+    array_double_1d box;
+    int64_t obstacle;
+    int64_t low;
+    int64_t high;
+    int64_t axes;
+    int64_t chosen;
+    double least;
+    int64_t axis;
+    double depth;
+    array_double_1d way;
+    fault = span_row(&work, INT64_C(80));
+    box = span_row(&work, INT64_C(52));
+    obstacle = INT64_C(9) + (int64_t)((*cspan_at(&fault, INT64_C(5))));
+    segfmu_write_box(span_row(&known, INT64_C(4)), span_row(&known, obstacle), box);
+    low = INT64_C(0);
+    high = INT64_C(3);
+    axes = INT64_C(3);
+    if ((int64_t)((*cspan_at(&fault, INT64_C(9)))) == INT64_C(2))
+    {
+        low = INT64_C(6);
+        high = INT64_C(9);
+        axes = INT64_C(2);
+    }
+    chosen = -INT64_C(1);
+    least = 1e+300;
+    for (axis = INT64_C(0); axis < axes; axis += INT64_C(1))
+    {
+        depth = depth_towards(axis, (*cspan_at(&box, low + axis)), (*cspan_at(&box, high + axis)), (*cspan_at(&fault, INT64_C(2) + axis)), operation);
+        if (depth < least)
+        {
+            least = depth;
+            chosen = axis;
+        }
+    }
+    if (chosen < INT64_C(0))
+    {
+        return 0;
+    }
+    way = span_row(&operation, INT64_C(16) + chosen);
+    if ((*cspan_at(&operation, INT64_C(22), chosen)) > 0.0)
+    {
+        (*cspan_at(&way, INT64_C(1))) = (*cspan_at(&box, low + chosen)) - end_rounding_of((*cspan_at(&box, low + chosen)));
+    }
+    else
+    {
+        (*cspan_at(&way, INT64_C(0))) = (*cspan_at(&box, high + chosen)) + end_rounding_of((*cspan_at(&box, high + chosen)));
+    }
+    return 1;
+}
+static bool is_prolonged(array_double_2d operation)
+{
+    array_double_1d progress;
+    int64_t attempt;
+    progress = span_row(&operation, INT64_C(4));
+    attempt = (int64_t)((*cspan_at(&progress, INT64_C(3))));
+    if (((*cspan_at(&progress, INT64_C(6))) > 0.0) || (!is_aim(INT64_C(3), operation)))
+    {
+        return 0;
+    }
+    return (attempt == INT64_C(0)) || (attempt == INT64_C(10));
+}
+static bool keeps_stopping(int64_t attempt, array_double_2d operation)
+{
+    double stopping;
+    bool result;
+    if (attempt < INT64_C(6))
+    {
+        return 0;
+    }
+    stopping = (*cspan_at(&operation, INT64_C(4), INT64_C(3)));
+    if ((INT64_C(6) <= stopping) && (stopping < INT64_C(9)))
+    {
+        result = is_aim(INT64_C(3), operation);
+        return result;
+    }
+    return 0;
+}
+static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
+{
+    array_double_1d aim;
+    int64_t axis;
+    bool slow;
+    bool result;
+    aim = span_row(&operation, INT64_C(1));
+    set_attempt(attempt, operation, limits, known);
+    if (((*cspan_at(&aim, INT64_C(0))) > 0.5) && (attempt < INT64_C(6)))
+    {
+        result = seek_target(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work);
+        return result;
+    }
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        (*cspan_at(&operation, INT64_C(22), axis)) = (*cspan_at(&aim, INT64_C(1) + axis));
+        (*cspan_at(&operation, INT64_C(12), axis)) = share_of(attempt, axis);
+    }
+    slow = (pace_of(attempt) < 1.0) && (attempt < INT64_C(6));
+    result = seek_velocity(slow, operation, span_matrix(&limits, INT64_C(1)), timing, coefficients, offsets, states, lead);
+    return result;
 }
 static bool is_stop(array_double_1d aim)
 {
@@ -30101,6 +30237,22 @@ static bool is_stop(array_double_1d aim)
     }
     result = ((*cspan_at(&aim, INT64_C(0))) < 0.5) && (fastest == 0.0);
     return result;
+}
+static int64_t rank(int64_t attempt, array_double_2d operation)
+{
+    if (is_stop(span_row(&operation, INT64_C(1))))
+    {
+        return INT64_C(0);
+    }
+    if (attempt <= INT64_C(2))
+    {
+        if ((*cspan_at(&operation, INT64_C(4), INT64_C(8))) > 0.0)
+        {
+            return INT64_C(10);
+        }
+        return INT64_C(0);
+    }
+    return attempt;
 }
 static void note_taken(int64_t attempt, array_double_2d operation)
 {
@@ -30134,8 +30286,9 @@ static void take_plan(int64_t attempt, array_double_2d operation, array_double_3
             (*cspan_at(&operation, INT64_C(6) + axis, i)) = (*cspan_at(&operation, INT64_C(9) + axis, i));
         }
     }
+    keep_ways(operation);
     (*cspan_at(&progress, INT64_C(0))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
-    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
+    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
     (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
     if (attempt > INT64_C(0))
     {
@@ -30143,89 +30296,106 @@ static void take_plan(int64_t attempt, array_double_2d operation, array_double_3
     }
     note_taken(attempt, operation);
 }
-static bool keeps_stopping(int64_t attempt, array_double_2d operation)
+static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d known, array_double_2d work)
 {
-    double stopping;
-    bool result;
-    if (attempt < first_stop())
+    array_double_1d progress;
+    progress = span_row(&operation, INT64_C(4));
+    if ((attempt >= INT64_C(6)) || ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5))
     {
         return 0;
     }
-    stopping = (*cspan_at(&operation, INT64_C(4), INT64_C(3)));
-    if ((first_stop() <= stopping) && (stopping < most_attempts()))
+    if (!((*cspan_at(&progress, INT64_C(8))) < 3.0))
     {
-        result = is_aim(INT64_C(3), operation);
-        return result;
+        return 0;
     }
-    return 0;
+    if (!end_before_obstacle(operation, known, work))
+    {
+        return 0;
+    }
+    (*cspan_at(&progress, INT64_C(8))) = (*cspan_at(&progress, INT64_C(8))) + 1.0;
+    return 1;
 }
-static int64_t rank(int64_t attempt, array_double_1d aim)
+static bool holds_until_next(array_double_2d operation)
 {
-    if ((attempt <= INT64_C(2)) || is_stop(aim))
+    double begin;
+    bool result;
+    begin = (*cspan_at(&operation, INT64_C(4), INT64_C(0)));
+    result = holds_long_enough((*cspan_at(&operation, INT64_C(0), INT64_C(0))) - begin, operation);
+    return result;
+}
+static bool renew_holds(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack)
+{
+    array_double_1d progress;
+    double elapsed;
+    int64_t status;
+    double retry;
+    progress = span_row(&operation, INT64_C(4));
+    elapsed = (*cspan_at(&operation, INT64_C(0), INT64_C(0))) - (*cspan_at(&progress, INT64_C(0)));
+    copy_plan(INT64_C(1), INT64_C(4), timing, coefficients, offsets);
+    if (!prolong_holds(elapsed, operation, timing, coefficients, offsets))
     {
-        return INT64_C(0);
+        return 0;
     }
-    return attempt;
+    (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&progress, INT64_C(10))) + 1.0;
+    status = prove_plan(operation, limits, known, timing, coefficients, offsets, states, lead, work, stack);
+    if (status != INT64_C(0))
+    {
+        (*cspan_at(&progress, INT64_C(2))) = status;
+        return 0;
+    }
+    retry = (*cspan_at(&progress, INT64_C(4)));
+    take_plan((int64_t)((*cspan_at(&progress, INT64_C(3)))), operation, timing, coefficients, offsets);
+    (*cspan_at(&progress, INT64_C(4))) = retry;
+    return 1;
 }
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
 {
     array_double_1d progress;
     array_double_1d aim;
-    int64_t first;
+    int64_t attempt;
     int64_t failed;
     int64_t tries;
-    int64_t attempt;
-    bool found;
-    int64_t axis;
     int64_t status;
     progress = span_row(&operation, INT64_C(4));
     aim = span_row(&operation, INT64_C(1));
-    first = (int64_t)((*cspan_at(&progress, INT64_C(6))));
+    attempt = INT64_C(0);
     failed = INT64_C(0);
-    if (first > INT64_C(0))
+    if ((*cspan_at(&progress, INT64_C(6))) > 0.0)
     {
+        attempt = (int64_t)((*cspan_at(&progress, INT64_C(6)))) - INT64_C(1);
         failed = (int64_t)((*cspan_at(&progress, INT64_C(7))));
+    }
+    else
+    {
+        open_ways(operation, known);
+        (*cspan_at(&progress, INT64_C(8))) = 0.0;
     }
     tries = INT64_C(0);
     (*cspan_at(&progress, INT64_C(6))) = 0.0;
-    for (attempt = first; attempt < most_attempts(); attempt += INT64_C(1))
+    while(attempt < INT64_C(9))
     {
         if ((!is_worth(attempt, failed, aim)) || keeps_stopping(attempt, operation))
         {
+            attempt = attempt + INT64_C(1);
             continue;
         }
         if ((tries > INT64_C(0)) && (!(tries < (*cspan_at(&operation, INT64_C(0), INT64_C(15))))))
         {
-            (*cspan_at(&progress, INT64_C(6))) = attempt;
+            (*cspan_at(&progress, INT64_C(6))) = INT64_C(1) + attempt;
             (*cspan_at(&progress, INT64_C(7))) = failed;
             (*cspan_at(&progress, INT64_C(1))) = INT64_C(7);
             return 0;
         }
         tries = tries + INT64_C(1);
-        (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
-        set_attempt(attempt, operation, limits, known);
-        found = 0;
-        if (((*cspan_at(&aim, INT64_C(0))) > 0.5) && (attempt < first_stop()))
-        {
-            found = seek_target(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work);
-        }
-        else
-        {
-            for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-            {
-                (*cspan_at(&operation, INT64_C(16), axis)) = (*cspan_at(&aim, INT64_C(1) + axis));
-                (*cspan_at(&operation, INT64_C(12), axis)) = share_of(attempt, axis);
-            }
-            found = seek_velocity(operation, span_matrix(&limits, INT64_C(1)), known, timing, coefficients, offsets, states, lead);
-        }
+        (*cspan_at(&progress, INT64_C(10))) = (*cspan_at(&progress, INT64_C(10))) + 1.0;
         status = INT64_C(2);
-        if (found)
+        if (seek_plan(attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead, work))
         {
             status = prove_plan(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack);
         }
         if (status == INT64_C(0))
         {
-            take_plan(rank(attempt, aim), operation, timing, coefficients, offsets);
+            take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
             return 1;
         }
         if (failed == INT64_C(0))
@@ -30233,13 +30403,136 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
             (*cspan_at(&progress, INT64_C(2))) = status;
         }
         failed = status;
+        if (!((failed == INT64_C(5)) && blocks(attempt, operation, known, work)))
+        {
+            attempt = attempt + INT64_C(1);
+        }
+        else if (is_prolonged(operation) && are_ways_kept(operation))
+        {
+            (*cspan_at(&progress, INT64_C(1))) = INT64_C(1);
+            note_taken(INT64_C(10), operation);
+            if (holds_until_next(operation))
+            {
+                return 0;
+            }
+            if (renew_holds(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack))
+            {
+                return 1;
+            }
+        }
     }
     if (failed > INT64_C(0))
     {
         (*cspan_at(&progress, INT64_C(1))) = (*cspan_at(&progress, INT64_C(2)));
     }
-    note_taken(most_attempts(), operation);
+    note_taken(INT64_C(9), operation);
     return 0;
+}
+static bool trips(array_double_2d operation)
+{
+    int64_t drive;
+    for (drive = INT64_C(0); drive < INT64_C(3); drive += INT64_C(1))
+    {
+        if ((*cspan_at(&operation, INT64_C(0), INT64_C(17) + drive)) > 0.5)
+        {
+            if ((*cspan_at(&operation, INT64_C(32), INT64_C(28) + drive)) < 0.5)
+            {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+static bool brake_anew(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+    advance_swing(elapsed, (*cspan_at(&known, INT64_C(0), INT64_C(3))), span_row(&operation, INT64_C(32)), work);
+    put_aside(operation);
+    note_trips(operation);
+    if (!plan_brakes(operation, known, work))
+    {
+        bring_back(operation);
+        note_trips(operation);
+        (*cspan_at(&operation, INT64_C(4), INT64_C(2))) = INT64_C(6);
+    }
+    cover_swing(operation, known, timing, coefficients, offsets, work);
+    return 1;
+}
+void segfmu_begin_operation(double time, array_double_2d operation)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(1); row < INT64_C(38); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < operation.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&operation, row, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&operation, INT64_C(4), INT64_C(0))) = time;
+    (*cspan_at(&operation, INT64_C(4), INT64_C(4))) = time;
+    (*cspan_at(&operation, INT64_C(32), INT64_C(31))) = time;
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+}
+static void begin_swing(array_double_2d operation)
+{
+    array_double_1d progress;
+    int64_t axis;
+    int64_t i;
+    progress = span_row(&operation, INT64_C(4));
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(6) + axis, i)) = 0.0;
+        }
+    }
+    (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
+    (*cspan_at(&progress, INT64_C(1))) = INT64_C(0);
+    (*cspan_at(&progress, INT64_C(3))) = 0.0;
+    (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    (*cspan_at(&progress, INT64_C(4))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
+    (*cspan_at(&progress, INT64_C(5))) = INT64_C(5);
+    (*cspan_at(&operation, INT64_C(32), INT64_C(31))) = (*cspan_at(&operation, INT64_C(0), INT64_C(0)));
+    (*cspan_at(&operation, INT64_C(3), INT64_C(0))) = -1.0;
+}
+static bool is_due(array_double_2d operation)
+{
+    double retry;
+    bool result;
+    retry = (*cspan_at(&operation, INT64_C(4), INT64_C(4)));
+    result = !((*cspan_at(&operation, INT64_C(0), INT64_C(0))) < retry);
+    return result;
+}
+static bool is_served(double elapsed, array_double_2d operation)
+{
+    array_double_1d progress;
+    bool result;
+    progress = span_row(&operation, INT64_C(4));
+    if (!is_aim(INT64_C(3), operation))
+    {
+        return 0;
+    }
+    if ((*cspan_at(&progress, INT64_C(3))) == INT64_C(0))
+    {
+        result = holds_long_enough(elapsed, operation);
+        return result;
+    }
+    if (((*cspan_at(&progress, INT64_C(6))) > 0.0) || is_due(operation))
+    {
+        return 0;
+    }
+    result = (!is_prolonged(operation)) || holds_long_enough(elapsed, operation);
+    return result;
+}
+static bool renews(double elapsed, array_double_2d operation)
+{
+    bool result;
+    if ((!is_prolonged(operation)) || holds_long_enough(elapsed, operation))
+    {
+        return 0;
+    }
+    result = ((*cspan_at(&operation, INT64_C(4), INT64_C(3))) == INT64_C(0)) || (!is_due(operation));
+    return result;
 }
 bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
 {
@@ -30248,8 +30541,6 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     int64_t mode;
     double elapsed;
     int64_t i;
-    bool taken;
-    int64_t status;
     bool result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
@@ -30259,7 +30550,7 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
     {
         return 1;
     }
-    if ((*cspan_at(&operation, INT64_C(26), INT64_C(0))) > 0.5)
+    if ((*cspan_at(&operation, INT64_C(32), INT64_C(0))) > 0.5)
     {
         if (trips(operation))
         {
@@ -30297,40 +30588,18 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
         (*cspan_at(&operation, INT64_C(2), i)) = (*cspan_at(&operation, INT64_C(1), i));
     }
     write_aim(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets);
-    taken = is_aim(INT64_C(3), operation);
     if (!is_aim(INT64_C(2), operation))
     {
         (*cspan_at(&progress, INT64_C(6))) = 0.0;
     }
-    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0))
+    if (is_served(elapsed, operation))
     {
-        if (holds_long_enough(elapsed, operation))
-        {
-            return 0;
-        }
-    }
-    else if (taken && ((*cspan_at(&command, INT64_C(0))) < (*cspan_at(&progress, INT64_C(4)))))
-    {
-        if ((*cspan_at(&progress, INT64_C(6))) == 0.0)
-        {
-            return 0;
-        }
+        return 0;
     }
     note_present(elapsed, operation, timing, coefficients, offsets);
-    if (taken && ((*cspan_at(&progress, INT64_C(3))) == 0.0) && ((*cspan_at(&progress, INT64_C(6))) == 0.0))
+    if (renews(elapsed, operation) && renew_holds(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack))
     {
-        copy_plan(INT64_C(1), INT64_C(4), timing, coefficients, offsets);
-        if (prolong_holds(elapsed, operation, known, timing, coefficients, offsets))
-        {
-            (*cspan_at(&progress, INT64_C(9))) = (*cspan_at(&progress, INT64_C(9))) + 1.0;
-            status = prove_plan(operation, span_matrix(&limits, INT64_C(0)), known, timing, coefficients, offsets, states, lead, work, stack);
-            if (status == INT64_C(0))
-            {
-                take_plan(INT64_C(0), operation, timing, coefficients, offsets);
-                return 1;
-            }
-            (*cspan_at(&progress, INT64_C(2))) = status;
-        }
+        return 1;
     }
     result = attempt_plans(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work, stack);
     return result;
@@ -30372,7 +30641,7 @@ double segfmu_next_operation(array_double_2d operation)
     double result;
     command = span_row(&operation, INT64_C(0));
     progress = span_row(&operation, INT64_C(4));
-    swing = span_row(&operation, INT64_C(26));
+    swing = span_row(&operation, INT64_C(32));
     mode = wanted_mode(command);
     if ((*cspan_at(&swing, INT64_C(0))) > 0.5)
     {

@@ -656,7 +656,7 @@ static PyObject *call_space_contact(
         && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[1]) - 3))
         && has_at_least(&call, "ranges", 0, in_ranges->shape[0], 6)
         && has_at_least(&call, "ranges", 1, in_ranges->shape[1], 3)
-        && has_at_least(&call, "fault", 0, in_fault->shape[0], 9)
+        && has_at_least(&call, "fault", 0, in_fault->shape[0], 10)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyLong_FromLongLong(segfmu_space_contact(
             (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
@@ -3412,7 +3412,7 @@ static PyObject *call_foresee_emergency(
         && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 25)
         && has_at_least(&call, "known", 1, in_known->shape[1], 29)
@@ -3458,7 +3458,7 @@ static PyObject *call_take_over_measured(
         && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
         && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "known", 0, in_known->shape[0], 25)
         && has_at_least(&call, "known", 1, in_known->shape[1], 29)
@@ -4001,7 +4001,7 @@ static PyObject *call_begin_operation(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_time)
         && (in_operation = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)) {
         segfmu_begin_operation(
             in_time,
@@ -4043,7 +4043,7 @@ static PyObject *call_operate(
         && (in_stack = take_array(&call, 10, 3, 'd', true)) != NULL
         && has_at_least(&call, "limits", 2, in_limits->shape[2], 1)
         && has_extent(&call, "states", 2, in_states->shape[2], in_limits->shape[2])
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 2)
         && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
@@ -4122,7 +4122,7 @@ static PyObject *call_next_operation(
     (void)self;
     if (take_count(&call, count, 1)
         && (in_operation = take_array(&call, 0, 2, 'd', false)) != NULL
-        && has_at_least(&call, "operation", 0, in_operation->shape[0], 32)
+        && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
         && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)) {
         answer = PyFloat_FromDouble(segfmu_next_operation(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}}));

@@ -129,6 +129,7 @@ class SpaceFault(Collision):
     AXIS = field("axis of the workspace or of the corners")
     VALUE = field("position of the load, or least corner", "m")
     BOUND = field("end of the workspace, or greatest corner", "m")
+    PART = field("what meets an obstacle, see Part")
 
 
 class Excursion(Record):

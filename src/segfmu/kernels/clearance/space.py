@@ -98,6 +98,7 @@ def space_contact(
     if part == Part.CLEAR:
         return SpaceStatus.CLEAR
     number = int(fault[SpaceFault.BOX])
+    fault[SpaceFault.PART] = part
     if number >= SpaceLimits.FACES:
         fault[SpaceFault.BOX] = number - SpaceLimits.FACES
         return part

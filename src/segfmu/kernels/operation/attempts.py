@@ -1,60 +1,52 @@
 """Which plans are tried for a command, one after the other.
 
-First as it is. Where bounds of the drives are in the way, more slowly built up; where the way is
-blocked, with a part of the velocity, or along some axes alone; at last a stop, also more slowly.
+First as it is. Where bounds of the drives are in the way, more slowly built up; at last with a part
+of the velocity, along some axes alone, or a stop, also more slowly. What meets an obstacle is tried
+once more with a way that ends before it, see ways.py.
 """
 
 from math import sqrt
 
-from segfmu.kernels.operation.records import Aim, Known, Operation, OperationStatus, Tries
+from segfmu.kernels.operation.records import Aim, Attempt, Known, Operation, OperationStatus
 from segfmu.kernels.planner.records import Lower
-
-
-def most_attempts() -> int:
-    """Number of the attempts."""
-    return Tries.MOST
-
-
-def first_stop() -> int:
-    """Number of the first attempt that is a stop."""
-    return 6
 
 
 def pace_of(attempt: int) -> float:
     """Pace of an attempt: limits of order i are pace^i of those given, from the acceleration on."""
-    if attempt == 1 or attempt == 7:
+    if attempt == Attempt.SLOWER or attempt == Attempt.STOP_SLOWER:
         return sqrt(0.5)
-    if attempt == 2 or attempt == 8:
+    if attempt == Attempt.SLOWEST or attempt == Attempt.STOP_SLOWEST:
         return 0.5
     return 1.0
 
 
 def share_of(attempt: int, axis: int) -> float:
     """Share of its velocity that an axis gets in an attempt."""
-    if attempt >= first_stop():
+    if attempt >= Attempt.STOP:
         return 0.0
-    if attempt == 3:
+    if attempt == Attempt.PART:
         return 0.25
-    if attempt == 4 and axis == 2:
+    if attempt == Attempt.LEVEL and axis == 2:
         return 0.0
-    if attempt == 5 and axis < 2:
+    if attempt == Attempt.UPRIGHT and axis < 2:
         return 0.0
     return 1.0
 
 
 def is_worth(attempt: int, failed: int, aim: 'float[:]') -> bool:
     """Whether an attempt is worth while for an aim (Aim), after one that failed by a status."""
-    slows = attempt == 1 or attempt == 2 or attempt == 7 or attempt == 8
+    slows = attempt == Attempt.SLOWER or attempt == Attempt.SLOWEST
+    slows = slows or attempt == Attempt.STOP_SLOWER or attempt == Attempt.STOP_SLOWEST
     blocked = failed == OperationStatus.WORKSPACE or failed == OperationStatus.OBSTACLE
     if slows and blocked:
         return False
-    if attempt >= first_stop():
+    if attempt >= Attempt.STOP:
         return True
     if aim[Aim.IS_TARGET] > 0.5:
-        return attempt <= 2
+        return attempt <= Attempt.SLOWEST
     horizontal = abs(aim[Aim.VALUE]) + abs(aim[Aim.VALUE + 1])
     vertical = abs(aim[Aim.VALUE + 2])
-    if attempt == 4 or attempt == 5:
+    if attempt == Attempt.LEVEL or attempt == Attempt.UPRIGHT:
         return horizontal > 0.0 and vertical > 0.0
     return horizontal + vertical > 0.0
 
@@ -68,7 +60,7 @@ def set_attempt(
     """
     pace = pace_of(attempt)
     scale = 1.0
-    if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and attempt < first_stop():
+    if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
         scale = operation[Operation.AIM, Aim.SCALE]
     for axis in range(3):
         power = pace

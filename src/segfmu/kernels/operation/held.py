@@ -1,7 +1,7 @@
 """Velocities that are held behind leads, until a time, and the stops behind them."""
 
 from segfmu.kernels.numerics.numbers import NEVER
-from segfmu.kernels.operation.aim import high_end, low_end, standstill
+from segfmu.kernels.operation.aim import standstill
 from segfmu.kernels.operation.plans import has_room, plan_pieces
 from segfmu.kernels.operation.records import (
     Command,
@@ -9,6 +9,7 @@ from segfmu.kernels.operation.records import (
     Operation,
     OperationRows,
     Slot,
+    Way,
 )
 from segfmu.kernels.settling.records import LeadEnd
 from segfmu.kernels.trajectory.cut import copy_piece
@@ -16,24 +17,26 @@ from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Piece, Timing
 
 
-def way_left(axis: int, velocity: float, rest: float, known: 'float[:,:]') -> float:
-    """Way [m] from where an axis stops [m] to the end of its way in the direction of a velocity."""
+def way_left(velocity: float, rest: float, way: 'float[:]') -> float:
+    """Way [m] from where an axis stops [m] to the end of its `Way` in the direction of a velocity.
+    """
     if velocity > 0.0:
-        return high_end(axis, known) - rest
+        return way[Way.HIGH] - rest
     if velocity < 0.0:
-        return rest - low_end(axis, known)
+        return rest - way[Way.LOW]
     return NEVER
 
 
-def room_left(axis: int, operation: 'float[:,:]', known: 'float[:,:]') -> float:
+def room_left(axis: int, operation: 'float[:,:]') -> float:
     """The same of a plan that does not hold its velocity."""
     return way_left(
-        axis, operation[Operation.LEAD_ENDS + axis, LeadEnd.VELOCITY],
-        operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION], known,
+        operation[Operation.LEAD_ENDS + axis, LeadEnd.VELOCITY],
+        operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION],
+        operation[Operation.TRIED_WAYS + axis, :],
     )
 
 
-def hold_shares(operation: 'float[:,:]', known: 'float[:,:]') -> None:
+def hold_shares(operation: 'float[:,:]') -> None:
     """Choose how long each axis holds its share of the velocity: the rows TRIED."""
     command = operation[Operation.COMMAND, :]
     until = command[Command.STEP] + command[Command.HOLD]
@@ -45,7 +48,7 @@ def hold_shares(operation: 'float[:,:]', known: 'float[:,:]') -> None:
         held[HeldVelocity.UNTIL] = delay
         held[HeldVelocity.FREE] = 0.0
         if abs(velocity) > 0.0:
-            longest = max(room_left(axis, operation, known), 0.0) / abs(velocity)
+            longest = max(room_left(axis, operation), 0.0) / abs(velocity)
             hold = max(until - delay, 0.0)
             if hold < longest:
                 held[HeldVelocity.FREE] = 1.0
@@ -117,7 +120,7 @@ def holds_long_enough(elapsed: float, operation: 'float[:,:]') -> bool:
 
 
 def prolong_holds(
-    elapsed: float, operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    elapsed: float, operation: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]',
 ) -> bool:
     """Try to hold velocities longer: the rest of the present plan, with later stops, in TRIED.
@@ -132,6 +135,8 @@ def prolong_holds(
         held = operation[Operation.TRIED + axis, :]
         for i in range(HeldVelocity.SIZE):
             held[i] = operation[Operation.HELD + axis, i]
+        for i in range(Way.SIZE):
+            operation[Operation.TRIED_WAYS + axis, i] = operation[Operation.WAYS + axis, i]
         before = held[HeldVelocity.UNTIL] - elapsed
         held[HeldVelocity.UNTIL] = before
         if held[HeldVelocity.FREE] > 0.5:
@@ -141,7 +146,8 @@ def prolong_holds(
             last = offsets[Slot.TRIED * Slot.OFFSETS + axis + 1]
             first = last - int(held[HeldVelocity.BEHIND])
             rest = standstill(Slot.TRIED, axis, timing, coefficients, offsets)
-            longest = max(way_left(axis, velocity, rest, known), 0.0) / abs(velocity)
+            way = operation[Operation.TRIED_WAYS + axis, :]
+            longest = max(way_left(velocity, rest, way), 0.0) / abs(velocity)
             longer = max(until - before, 0.0)
             if longest <= longer:
                 longer = longest

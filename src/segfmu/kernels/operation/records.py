@@ -74,6 +74,27 @@ class Tries(Codes):
     MOST = 9
 
 
+class Attempt(Codes):
+    """Plans that are tried for a command, in turn; see attempts.py.
+
+    FULL: as it is. SLOWER, SLOWEST: more slowly built up. PART: a part of the velocity. LEVEL,
+    UPRIGHT: the horizontal axes or the vertical one alone. STOP and the two behind it: at rest.
+    NONE: none was found. BLOCKED: one of the first three, before an obstacle.
+    """
+
+    FULL = 0
+    SLOWER = 1
+    SLOWEST = 2
+    PART = 3
+    LEVEL = 4
+    UPRIGHT = 5
+    STOP = 6
+    STOP_SLOWER = 7
+    STOP_SLOWEST = 8
+    NONE = 9
+    BLOCKED = 10
+
+
 class ReadyStatus(Codes):
     """Why a feedforward cannot follow commands.
 
@@ -160,11 +181,12 @@ class Progress(Record):
     BEGIN = field("time at which the present plan begins", "s")
     STATUS = field("see OperationStatus")
     REFUSED = field("why the last attempt that failed did so, see OperationStatus")
-    ATTEMPT = field("number of the attempt that the present plan is, see attempts.py")
+    ATTEMPT = field("which one the present plan is, see Attempt")
     RETRY = field("when a command that was not taken as it is is tried again", "s")
     MODE = field("of the last command")
-    NEXT = field("attempt with which the next step goes on, 0: with the first")
+    NEXT = field("1 + the attempt with which the next step goes on, 0: with the first")
     FAILED = field("why the last attempt before that failed, see OperationStatus")
+    BLOCKS = field("obstacles before which a way to be tried ends")
     PLANS = field("plans taken so far")
     ATTEMPTS = field("plans tried so far")
     TAKES = field("1: the step before took a measured state over, or tried to")
@@ -177,6 +199,13 @@ class HeldVelocity(Record):
     UNTIL = field("until when it is held, since the start of the plan", "s")
     FREE = field("1: it can be held longer, 0: the axis stops at an end, or does not move")
     BEHIND = field("number of the pieces behind")
+
+
+class Way(Record):
+    """Between what an axis may come to rest."""
+
+    LOW = field("the lowest position", "m")
+    HIGH = field("the highest one", "m")
 
 
 class Motion(Record):
@@ -244,6 +273,8 @@ class Operation(Record):
     HELD = field("by axis, of the present plan", size=3, of=HeldVelocity)
     TRIED = field("the same of a plan that is tried", size=3, of=HeldVelocity)
     SHARE = field("share of its velocity that each axis gets", of=Vector)
+    WAYS = field("by axis, of the present plan", size=3, of=Way)
+    TRIED_WAYS = field("the same of a plan that is tried", size=3, of=Way)
     NOW = field("by axis: the present state", size=3, of=Motion)
     WISH = field("velocity that is tried", "m/s", of=Vector)
     LOWER = field("by axis: limits in the negative direction, as tried", size=3, of=Lower)

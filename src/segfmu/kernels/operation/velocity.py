@@ -12,6 +12,8 @@ from segfmu.kernels.operation.records import Operation, Slot
 from segfmu.kernels.planner.records import Shape, WaypointState
 from segfmu.kernels.settling.leads import find_leads
 from segfmu.kernels.settling.records import LeadEnd, LeadStage, LeadTask, LeadWork
+from segfmu.kernels.trajectory.evaluate import evaluate_piece
+from segfmu.kernels.trajectory.records import Timing
 
 
 def clear_lead(lead: 'float[:,:]') -> None:
@@ -143,15 +145,13 @@ def reach_velocities(
     return True
 
 
-def shrink_share(
-    axis: int, last: bool, operation: 'float[:,:]', known: 'float[:,:]'
-) -> bool:
+def shrink_share(axis: int, last: bool, operation: 'float[:,:]') -> bool:
     """Lower the share of an axis that does not stop before the end of its way; whether it is one.
 
     The way to rest grows with the square of the velocity at most, and with its power 4 / 3 where
     the snap decides. An axis that is too fast the last time stops at once.
     """
-    left = room_left(axis, operation, known)
+    left = room_left(axis, operation)
     if left >= 0.0:
         return False
     stopping = operation[Operation.STOP_ENDS + axis, LeadEnd.POSITION]
@@ -165,15 +165,37 @@ def shrink_share(
     return True
 
 
+def goes_back(
+    axis: int, operation: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]',
+) -> bool:
+    """Whether the lead of an axis moves against its velocity and that which it begins with."""
+    now = operation[Operation.NOW + axis, WaypointState.VELOCITY]
+    wish = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
+    if now * wish < 0.0:
+        return False
+    direction = now + wish
+    leads = Slot.LEADS * Slot.OFFSETS + axis
+    for row in range(offsets[leads], offsets[leads + 1]):
+        velocity = evaluate_piece(
+            coefficients[Slot.LEADS, :, :], row, coefficients.shape[2],
+            timing[Slot.LEADS, row, Timing.LENGTH], 1,
+        )
+        # beyond rounding
+        if velocity * direction < -1e-6 * direction * direction:
+            return True
+    return False
+
+
 def seek_velocity(
-    operation: 'float[:,:]', limits: 'float[:,:]', known: 'float[:,:]',
-    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
-    states: 'float[:,:,:]', lead: 'float[:,:]',
+    slow: bool, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
 ) -> bool:
     """Try a plan for the velocities WISH in the slot TRIED; False if there is none.
 
     The row SHARE of `operation` tells which share of it each axis gets; it becomes less where the
-    way is too short.
+    way, TRIED_WAYS, is too short. What is built up slowly must not turn back meanwhile, as it does
+    where a quick acceleration can only be left slowly.
     """
     set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
     tries = 5
@@ -183,11 +205,13 @@ def seek_velocity(
                 axis, operation, limits, timing, coefficients, offsets, states, lead
             ):
                 return False
+            if slow and goes_back(axis, operation, timing, coefficients, offsets):
+                return False
             if not stop_behind(
                 axis, operation, limits, timing, coefficients, offsets, states, lead
             ):
                 return False
-            if not shrink_share(axis, i == tries - 2, operation, known):
+            if not shrink_share(axis, i == tries - 2, operation):
                 break
-    hold_shares(operation, known)
+    hold_shares(operation)
     return join_held(operation, timing, coefficients, offsets)

@@ -1,0 +1,226 @@
+"""Plans that are tried for an aim in turn, until one is taken."""
+
+from segfmu.kernels.operation.aim import is_aim
+from segfmu.kernels.operation.attempts import is_worth, pace_of, set_attempt, share_of
+from segfmu.kernels.operation.held import holds_long_enough, prolong_holds
+from segfmu.kernels.operation.plans import copy_plan
+from segfmu.kernels.operation.proof import prove_plan
+from segfmu.kernels.operation.records import (
+    Aim,
+    Attempt,
+    Command,
+    HeldVelocity,
+    Operation,
+    OperationStatus,
+    Progress,
+    Slot,
+)
+from segfmu.kernels.operation.target import seek_target
+from segfmu.kernels.operation.velocity import seek_velocity
+from segfmu.kernels.operation.ways import (
+    are_ways_kept,
+    end_before_obstacle,
+    keep_ways,
+    open_ways,
+)
+
+
+def is_prolonged(operation: 'float[:,:]') -> bool:
+    """Whether the present plan is for the aim, and its velocities may be held longer."""
+    progress = operation[Operation.PROGRESS, :]
+    attempt = int(progress[Progress.ATTEMPT])
+    if progress[Progress.NEXT] > 0.0 or not is_aim(Operation.TAKEN, operation):
+        return False
+    return attempt == Attempt.FULL or attempt == Attempt.BLOCKED
+
+
+def attempt_plans(
+    operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', cells: 'float[:,:,:]',
+    lead: 'float[:,:]', work: 'float[:,:]', stack: 'float[:,:,:]',
+) -> bool:
+    """Try plans for the aim in turn, until one is taken; as `operate`."""
+    progress = operation[Operation.PROGRESS, :]
+    aim = operation[Operation.AIM, :]
+    attempt = int(Attempt.FULL)
+    failed = int(OperationStatus.TAKEN)
+    if progress[Progress.NEXT] > 0.0:
+        attempt = int(progress[Progress.NEXT]) - 1
+        failed = int(progress[Progress.FAILED])
+    else:
+        open_ways(operation, known)
+        progress[Progress.BLOCKS] = 0.0
+    tries = 0
+    progress[Progress.NEXT] = 0.0
+    while attempt < Attempt.NONE:
+        if not is_worth(attempt, failed, aim) or keeps_stopping(attempt, operation):
+            attempt = attempt + 1
+            continue
+        if tries > 0 and not tries < operation[Operation.COMMAND, Command.TRIES]:
+            progress[Progress.NEXT] = 1 + attempt
+            progress[Progress.FAILED] = failed
+            progress[Progress.STATUS] = OperationStatus.PENDING
+            return False
+        tries = tries + 1
+        progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0
+        status = int(OperationStatus.LIMITS)
+        if seek_plan(
+            attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead,
+            work,
+        ):
+            status = prove_plan(
+                operation, limits[0, :, :], known, timing, coefficients, offsets, states, lead,
+                work, stack,
+            )
+        if status == OperationStatus.TAKEN:
+            take_plan(rank(attempt, operation), operation, timing, coefficients, offsets)
+            return True
+        if failed == OperationStatus.TAKEN:
+            # why the command cannot be taken as it is
+            progress[Progress.REFUSED] = status
+        failed = status
+        if not (failed == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
+            attempt = attempt + 1
+        elif is_prolonged(operation) and are_ways_kept(operation):
+            progress[Progress.STATUS] = OperationStatus.REDUCED
+            note_taken(int(Attempt.BLOCKED), operation)
+            if holds_until_next(operation):
+                return False
+            if renew_holds(
+                operation, limits[0, :, :], known, timing, coefficients, offsets, states, lead,
+                work, stack,
+            ):
+                return True
+    if failed > 0:
+        progress[Progress.STATUS] = progress[Progress.REFUSED]
+    note_taken(int(Attempt.NONE), operation)
+    return False
+
+
+def blocks(
+    attempt: int, operation: 'float[:,:]', known: 'float[:,:]', work: 'float[:,:]'
+) -> bool:
+    """Whether an attempt that meets an obstacle may be tried with a way that ends before it."""
+    progress = operation[Operation.PROGRESS, :]
+    if attempt >= Attempt.STOP or operation[Operation.AIM, Aim.IS_TARGET] > 0.5:
+        return False
+    # an end for each axis
+    if not progress[Progress.BLOCKS] < 3.0:
+        return False
+    if not end_before_obstacle(operation, known, work):
+        return False
+    progress[Progress.BLOCKS] = progress[Progress.BLOCKS] + 1.0
+    return True
+
+
+def holds_until_next(operation: 'float[:,:]') -> bool:
+    """Whether the present plan holds its velocities until the next command."""
+    begin = operation[Operation.PROGRESS, Progress.BEGIN]
+    return holds_long_enough(operation[Operation.COMMAND, Command.TIME] - begin, operation)
+
+
+def renew_holds(
+    operation: 'float[:,:]', limits: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+    work: 'float[:,:]', stack: 'float[:,:,:]',
+) -> bool:
+    """Hold the velocities of the present plan longer, if that is proved to keep everything."""
+    progress = operation[Operation.PROGRESS, :]
+    elapsed = operation[Operation.COMMAND, Command.TIME] - progress[Progress.BEGIN]
+    copy_plan(Slot.REST, Slot.TRIED, timing, coefficients, offsets)
+    if not prolong_holds(elapsed, operation, timing, coefficients, offsets):
+        return False
+    progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0
+    status = prove_plan(
+        operation, limits, known, timing, coefficients, offsets, states, lead, work, stack
+    )
+    if status != OperationStatus.TAKEN:
+        progress[Progress.REFUSED] = status
+        return False
+    retry = progress[Progress.RETRY]
+    take_plan(int(progress[Progress.ATTEMPT]), operation, timing, coefficients, offsets)
+    # so that other plans are tried in time
+    progress[Progress.RETRY] = retry
+    return True
+
+
+def seek_plan(
+    attempt: int, operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]',
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
+    states: 'float[:,:,:]', cells: 'float[:,:,:]', lead: 'float[:,:]', work: 'float[:,:]',
+) -> bool:
+    """Write the plan of an attempt to the slot TRIED; False if there is none."""
+    aim = operation[Operation.AIM, :]
+    set_attempt(attempt, operation, limits, known)
+    if aim[Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
+        return seek_target(
+            operation, limits, known, timing, coefficients, offsets, states, cells, lead, work
+        )
+    for axis in range(3):
+        operation[Operation.WISH, axis] = aim[Aim.VALUE + axis]
+        operation[Operation.SHARE, axis] = share_of(attempt, axis)
+    slow = pace_of(attempt) < 1.0 and attempt < Attempt.STOP
+    return seek_velocity(
+        slow, operation, limits[1, :, :], timing, coefficients, offsets, states, lead
+    )
+
+
+def rank(attempt: int, operation: 'float[:,:]') -> int:
+    """An attempt that is taken, FULL where it is all that the aim asks for."""
+    if is_stop(operation[Operation.AIM, :]):
+        return Attempt.FULL
+    if attempt <= Attempt.SLOWEST:
+        if operation[Operation.PROGRESS, Progress.BLOCKS] > 0.0:
+            return Attempt.BLOCKED
+        return Attempt.FULL
+    return attempt
+
+
+def is_stop(aim: 'float[:]') -> bool:
+    """Whether an aim (Aim) is to rest."""
+    fastest = 0.0
+    for axis in range(3):
+        fastest = max(fastest, abs(aim[Aim.VALUE + axis]))
+    return aim[Aim.IS_TARGET] < 0.5 and fastest == 0.0
+
+
+def keeps_stopping(attempt: int, operation: 'float[:,:]') -> bool:
+    """Whether an attempt is a stop, and the present plan is one already."""
+    if attempt < Attempt.STOP:
+        return False
+    stopping = operation[Operation.PROGRESS, Progress.ATTEMPT]
+    # after all have failed, the present plan is for something else
+    if Attempt.STOP <= stopping < Attempt.NONE:
+        return is_aim(Operation.TAKEN, operation)
+    return False
+
+
+def take_plan(
+    attempt: int, operation: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]',
+) -> None:
+    """Follow the plan in the slot TRIED from now on."""
+    progress = operation[Operation.PROGRESS, :]
+    copy_plan(Slot.TRIED, Slot.PRESENT, timing, coefficients, offsets)
+    for axis in range(3):
+        for i in range(HeldVelocity.SIZE):
+            operation[Operation.HELD + axis, i] = operation[Operation.TRIED + axis, i]
+    keep_ways(operation)
+    progress[Progress.BEGIN] = operation[Operation.COMMAND, Command.TIME]
+    progress[Progress.PLANS] = progress[Progress.PLANS] + 1.0
+    progress[Progress.STATUS] = OperationStatus.TAKEN
+    if attempt > 0:
+        progress[Progress.STATUS] = OperationStatus.REDUCED
+    note_taken(attempt, operation)
+
+
+def note_taken(attempt: int, operation: 'float[:,:]') -> None:
+    """Note for what the present plan is, and when to try again if it is not all that."""
+    command = operation[Operation.COMMAND, :]
+    for i in range(Aim.SIZE):
+        operation[Operation.TAKEN, i] = operation[Operation.AIM, i]
+    operation[Operation.PROGRESS, Progress.ATTEMPT] = attempt
+    retry = command[Command.TIME]
+    if not is_stop(operation[Operation.AIM, :]):
+        retry = retry + 0.5 * command[Command.HOLD]
+    operation[Operation.PROGRESS, Progress.RETRY] = retry
