@@ -500,10 +500,10 @@ def crane_calls() -> dict[str, Call]:
         **{
             name: (
                 *planned, plant[: Resistance.SIZE].copy(), np.stack([rows] * 3),
-                zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), *samples, zeros(2, Demand.SIZE),
+                zeros(DemandPeaks.SIZE, DemandPeaks.COLUMNS), zeros(2, Demand.SIZE),
                 zeros(2, Demand.SIZE),
             )
-            for name, samples in (("demand_peaks", ()), ("demand_samples", (3,)))
+            for name in ("demand_peaks", "demand_samples")
         },
         "bound_uses": (
             np.linspace(0.0, 2.0, 2 * Demand.SIZE).reshape(2, -1), zeros(2, Demand.SIZE) + 0.5,

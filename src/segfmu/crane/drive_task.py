@@ -16,7 +16,7 @@ from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
-from segfmu.kernels.limits.records import AxisTask, Heading, LimitRow, Looks
+from segfmu.kernels.limits.records import AxisTask, Heading, LimitRow
 from segfmu.planning.excursions import first_excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
@@ -112,11 +112,6 @@ class Task:
     def led(self) -> FloatArray:
         """1 where a velocity or acceleration is searched for, shape (waypoints, 3)."""
         return np.zeros_like(self._route[3]) if self.rests else self._route[3]
-
-    @property
-    def samples(self) -> int:
-        """Least samples of an interval in a look for peaks."""
-        return Looks.FREE if self._route[3].any() else Looks.GIVEN
 
     @property
     def chooses(self) -> bool:

@@ -40,7 +40,7 @@ FULL = 1.0 - 1e-6
 # the largest pace of a motion relative to that which samples suggest
 FASTEST = 1e3
 # about so many plans a search takes, for its progress
-USUAL = 400
+USUAL = 600
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +77,7 @@ def look(task: Task, trajectory: Trajectory, *, exact: bool) -> Found:
     if exact:
         backend.demand_peaks(*plan, peaks, times)
     else:
-        backend.demand_samples(*plan, task.samples, peaks, times)
+        backend.demand_samples(*plan, peaks, times)
     uses = np.zeros(2 * Demand.SIZE)
     backend.write_shares(peaks, task.record, task.axes, uses)
     return Found(trajectory, uses)

@@ -532,7 +532,6 @@ def demand_samples(
     resistance: Floats,
     contacts: Floats,
     work: Floats,
-    samples: int,
     peaks: Floats,
     times: Floats,
     /,

@@ -10104,7 +10104,7 @@ void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, a
         end = next_joint(begin, duration, timing, offsets, ends, contacts);
     }
 }
-void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, int64_t samples, array_double_2d peaks, array_double_2d times)
+void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times)
 {
     double duration;
     double begin;
@@ -10116,7 +10116,7 @@ void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients,
     end = next_joint(begin, duration, timing, offsets, ends, contacts);
     while(end < 1e+300)
     {
-        count = samples + (int64_t)(64.0 * (end - begin) / duration + 1e-06);
+        count = INT64_C(8) + (int64_t)(64.0 * (end - begin) / duration + 1e-06);
         for (j = INT64_C(0); j < count; j += INT64_C(1))
         {
             note_value(begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance, contacts, work, peaks, times);
@@ -12053,7 +12053,7 @@ static void write_paced(array_double_2d search)
     faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))));
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
     {
-        moved = (*cspan_at(&search, INT64_C(5), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+        moved = (*cspan_at(&search, INT64_C(5), i)) + (*cspan_at(&search, INT64_C(15), i)) * faster;
         (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(3), i)) + without_digits(moved);
     }
 }
@@ -12061,7 +12061,7 @@ static void enter_paces(double wanted, array_double_2d search)
 {
     array_double_1d state;
     state = span_row(&search, INT64_C(0));
-    (*cspan_at(&state, INT64_C(16))) = wanted;
+    (*cspan_at(&state, INT64_C(14))) = wanted;
     segfmu_begin_pace(1000.0, 0.995, span_row(&search, INT64_C(1)));
     (*cspan_at(&state, INT64_C(5))) = 0.0;
     (*cspan_at(&state, INT64_C(6))) = 0.0;
@@ -12117,7 +12117,7 @@ static bool is_hopeless(double duration, array_double_2d search)
         return 0;
     }
     faster = log((*cspan_at(&search, INT64_C(1), INT64_C(0))) / (*cspan_at(&search, INT64_C(1), INT64_C(7))));
-    result = log_of(duration) - faster - 0.9 * fabs(faster) > (*cspan_at(&state, INT64_C(16)));
+    result = log_of(duration) - faster - 0.9 * fabs(faster) > (*cspan_at(&state, INT64_C(14)));
     return result;
 }
 static bool next_of_paces(double duration, array_double_1d uses, array_double_2d search, array_double_2d values)
@@ -12166,7 +12166,7 @@ static bool has_states(array_double_2d search)
     int64_t i;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
     {
-        if ((int64_t)((*cspan_at(&search, INT64_C(11), i))) == INT64_C(2))
+        if ((int64_t)((*cspan_at(&search, INT64_C(14), i))) == INT64_C(2))
         {
             return 1;
         }
@@ -12195,11 +12195,11 @@ bool segfmu_is_judged(double duration, array_double_1d uses, array_double_2d sea
     }
     if (stage == INT64_C(2))
     {
-        result = merit_of(duration, uses) < (*cspan_at(&state, INT64_C(16))) - 0.0001;
+        result = merit_of(duration, uses) < (*cspan_at(&state, INT64_C(14))) - 0.0001;
         return result;
     }
     kept = largest_share(uses) <= 1.0 + 1e-09;
-    useful = span_min((*cspan_at(&state, INT64_C(11))) - 1e-09, (*cspan_at(&state, INT64_C(16))));
+    useful = span_min((*cspan_at(&state, INT64_C(11))) - 1e-09, (*cspan_at(&state, INT64_C(14))));
     return kept && (log_of(duration) < useful);
 }
 void segfmu_cap_best(array_double_2d axes, array_double_2d search)
@@ -12225,7 +12225,7 @@ void segfmu_write_best(double pace, array_double_2d search)
     faster = log(pace);
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(1)))); i += INT64_C(1))
     {
-        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(8), i)) + (*cspan_at(&search, INT64_C(12), i)) * faster;
+        (*cspan_at(&search, INT64_C(2), i)) = (*cspan_at(&search, INT64_C(8), i)) + (*cspan_at(&search, INT64_C(15), i)) * faster;
     }
 }
 void segfmu_keep_best(double pace, array_double_2d search)
@@ -12243,7 +12243,7 @@ static bool enter_poll(array_double_2d search)
     int64_t i;
     state = span_row(&search, INT64_C(0));
     (*cspan_at(&state, INT64_C(0))) = INT64_C(2);
-    (*cspan_at(&state, INT64_C(16))) = 1e+300;
+    (*cspan_at(&state, INT64_C(14))) = 1e+300;
     (*cspan_at(&state, INT64_C(3))) = -1.0;
     (*cspan_at(&state, INT64_C(4))) = -1.0;
     for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
@@ -12281,9 +12281,9 @@ static bool next_poll(double duration, array_double_1d uses, array_double_2d sea
     if (duration >= 0.0)
     {
         merit = merit_of(duration, uses);
-        if (merit < (*cspan_at(&state, INT64_C(16))) - 0.0001)
+        if (merit < (*cspan_at(&state, INT64_C(14))) - 0.0001)
         {
-            (*cspan_at(&state, INT64_C(16))) = merit;
+            (*cspan_at(&state, INT64_C(14))) = merit;
             for (i = INT64_C(0); i < n; i += INT64_C(1))
             {
                 (*cspan_at(&search, INT64_C(4), i)) = (*cspan_at(&search, INT64_C(2), i)) - (*cspan_at(&search, INT64_C(3), i));
@@ -12294,7 +12294,7 @@ static bool next_poll(double duration, array_double_1d uses, array_double_2d sea
     {
         i = (int64_t)((*cspan_at(&state, INT64_C(3))));
         way = (int64_t)((*cspan_at(&state, INT64_C(4)))) + INT64_C(1);
-        if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(11), i))) != INT64_C(2)))
+        if ((i < INT64_C(0)) || (way > INT64_C(3)) || ((int64_t)((*cspan_at(&search, INT64_C(14), i))) != INT64_C(2)))
         {
             (*cspan_at(&state, INT64_C(3))) = (*cspan_at(&state, INT64_C(3))) + 1.0;
             (*cspan_at(&state, INT64_C(4))) = -1.0;
@@ -12334,7 +12334,7 @@ static double change_of(array_double_2d search)
 {
     double size;
     size = 0.02;
-    if ((int64_t)((*cspan_at(&search, INT64_C(11), (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(3))))))) == INT64_C(2))
+    if ((int64_t)((*cspan_at(&search, INT64_C(14), (int64_t)((*cspan_at(&search, INT64_C(0), INT64_C(3))))))) == INT64_C(2))
     {
         size = 0.01;
     }
@@ -12356,7 +12356,7 @@ static bool write_changed(array_double_2d search)
     if ((*cspan_at(&state, INT64_C(4))) > 0.5)
     {
         changed = changed + INT64_C(1);
-        while((changed < n) && ((int64_t)((*cspan_at(&search, INT64_C(11), changed))) == INT64_C(0)))
+        while((changed < n) && ((int64_t)((*cspan_at(&search, INT64_C(14), changed))) == INT64_C(0)))
         {
             changed = changed + INT64_C(1);
         }
@@ -12386,7 +12386,7 @@ static bool enter_slopes(array_double_2d search)
     (*cspan_at(&state, INT64_C(0))) = INT64_C(3);
     (*cspan_at(&state, INT64_C(3))) = -1.0;
     (*cspan_at(&state, INT64_C(4))) = 1.0;
-    (*cspan_at(&state, INT64_C(17))) = 0.0;
+    (*cspan_at(&state, INT64_C(15))) = 0.0;
     result = write_changed(search);
     return result;
 }
@@ -12400,10 +12400,10 @@ static bool next_slope(double duration, array_double_1d uses, array_double_2d se
     bool result;
     state = span_row(&search, INT64_C(0));
     i = (int64_t)((*cspan_at(&state, INT64_C(3))));
-    (*cspan_at(&search, INT64_C(13), i)) = 0.0;
+    (*cspan_at(&search, INT64_C(16), i)) = 0.0;
     if (duration >= 0.0)
     {
-        (*cspan_at(&search, INT64_C(13), i)) = 1.0;
+        (*cspan_at(&search, INT64_C(16), i)) = 1.0;
         change = change_of(search);
         centre = span_row(&values, INT64_C(0));
         (*cspan_at(&slopes, i, INT64_C(0))) = (log_of(duration) - (*cspan_at(&centre, INT64_C(0)))) / change;
@@ -12428,7 +12428,7 @@ static void correct_slopes(array_double_2d search, array_double_2d values, array
     squared = 0.0;
     for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        change = (*cspan_at(&search, INT64_C(13), i)) * ((*cspan_at(&search, INT64_C(6), i)) - (*cspan_at(&search, INT64_C(4), i)));
+        change = (*cspan_at(&search, INT64_C(16), i)) * ((*cspan_at(&search, INT64_C(6), i)) - (*cspan_at(&search, INT64_C(4), i)));
         (*cspan_at(&search, INT64_C(7), i)) = change;
         squared = squared + change * change;
     }
@@ -12458,17 +12458,17 @@ static void add_bound(int64_t n, int64_t row, array_double_2d search, array_doub
     room = span_max(1.0 - (*cspan_at(&values, INT64_C(0), row)), 1e-05);
     for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        room = room - (*cspan_at(&search, INT64_C(13), i)) * (*cspan_at(&slopes, i, row)) * (*cspan_at(&search, INT64_C(7), i));
+        room = room - (*cspan_at(&search, INT64_C(16), i)) * (*cspan_at(&slopes, i, row)) * (*cspan_at(&search, INT64_C(7), i));
     }
     for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        own = (*cspan_at(&search, INT64_C(13), i)) * (*cspan_at(&slopes, i, row)) / room;
+        own = (*cspan_at(&search, INT64_C(16), i)) * (*cspan_at(&slopes, i, row)) / room;
         (*cspan_at(&newton, n + i, INT64_C(0))) = (*cspan_at(&newton, n + i, INT64_C(0))) - own;
         if (own != 0.0)
         {
             for (j = INT64_C(0); j < n; j += INT64_C(1))
             {
-                (*cspan_at(&newton, i, j)) = (*cspan_at(&newton, i, j)) + own * (*cspan_at(&search, INT64_C(13), j)) * (*cspan_at(&slopes, j, row)) / room;
+                (*cspan_at(&newton, i, j)) = (*cspan_at(&newton, i, j)) + own * (*cspan_at(&search, INT64_C(16), j)) * (*cspan_at(&slopes, j, row)) / room;
             }
         }
     }
@@ -12492,7 +12492,7 @@ static double damped_step(int64_t n, double radius, double weight, array_double_
         above = radius - (*cspan_at(&search, INT64_C(7), i));
         below = radius + (*cspan_at(&search, INT64_C(7), i));
         (*cspan_at(&newton, i, i)) = 1.0 / (above * above) + 1.0 / (below * below);
-        force = (*cspan_at(&search, INT64_C(13), i)) * weight * (*cspan_at(&slopes, i, INT64_C(0)));
+        force = (*cspan_at(&search, INT64_C(16), i)) * weight * (*cspan_at(&slopes, i, INT64_C(0)));
         (*cspan_at(&newton, n + i, INT64_C(0))) = (-force) - 1.0 / above + 1.0 / below;
     }
     for (row = INT64_C(1); row < slopes.shape[INT64_C(1)]; row += INT64_C(1))
@@ -12535,7 +12535,7 @@ static void write_step(array_double_2d search, array_double_2d values, array_dou
     for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
         (*cspan_at(&search, INT64_C(7), i)) = 0.0;
-        most = most + (*cspan_at(&search, INT64_C(13), i)) * fabs((*cspan_at(&slopes, i, INT64_C(0)))) * radius;
+        most = most + (*cspan_at(&search, INT64_C(16), i)) * fabs((*cspan_at(&slopes, i, INT64_C(0)))) * radius;
     }
     (*cspan_at(&search, INT64_C(0), INT64_C(10))) = 0.0;
     if (most <= 0.0)
@@ -12571,7 +12571,7 @@ static void enter_start(array_double_2d starts, array_double_2d search)
         (*cspan_at(&search, INT64_C(3), i)) = (*cspan_at(&starts, row, i));
         (*cspan_at(&search, INT64_C(5), i)) = 0.0;
     }
-    enter_paces((*cspan_at(&search, INT64_C(0), INT64_C(14) + INT64_C(1))), search);
+    enter_paces((*cspan_at(&search, INT64_C(13), INT64_C(4) - INT64_C(1))), search);
 }
 void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_double_2d search)
 {
@@ -12581,25 +12581,25 @@ void segfmu_begin_limits(array_double_2d starts, array_double_1d kinds, array_do
     int64_t slot;
     n = kinds.shape[INT64_C(0)];
     state = span_row(&search, INT64_C(0));
-    for (i = INT64_C(0); i < INT64_C(18); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(16); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = 0.0;
     }
     for (i = INT64_C(0); i < n; i += INT64_C(1))
     {
-        (*cspan_at(&search, INT64_C(11), i)) = (*cspan_at(&kinds, i));
-        (*cspan_at(&search, INT64_C(12), i)) = 0.0;
+        (*cspan_at(&search, INT64_C(14), i)) = (*cspan_at(&kinds, i));
+        (*cspan_at(&search, INT64_C(15), i)) = 0.0;
         if ((int64_t)((*cspan_at(&kinds, i))) == INT64_C(1))
         {
-            (*cspan_at(&search, INT64_C(12), i)) = 1.0 + span_floor_mod(span_floor_mod(i, INT64_C(6)), INT64_C(4));
+            (*cspan_at(&search, INT64_C(15), i)) = 1.0 + span_floor_mod(span_floor_mod(i, INT64_C(6)), INT64_C(4));
         }
     }
     (*cspan_at(&state, INT64_C(1))) = n;
     (*cspan_at(&state, INT64_C(0))) = INT64_C(0);
     (*cspan_at(&state, INT64_C(12))) = 1e+300;
-    for (slot = INT64_C(0); slot < INT64_C(2); slot += INT64_C(1))
+    for (slot = INT64_C(0); slot < INT64_C(4); slot += INT64_C(1))
     {
-        (*cspan_at(&state, INT64_C(14) + slot)) = 1e+300;
+        (*cspan_at(&search, INT64_C(13), slot)) = 1e+300;
     }
     enter_start(starts, search);
 }
@@ -12616,7 +12616,7 @@ static bool enter_descent(array_double_2d search)
     state = span_row(&search, INT64_C(0));
     (*cspan_at(&state, INT64_C(2))) = (*cspan_at(&state, INT64_C(2))) + 1.0;
     slot = (int64_t)((*cspan_at(&state, INT64_C(2))));
-    if ((slot > INT64_C(1)) || ((*cspan_at(&state, INT64_C(14) + slot)) >= 1e+300))
+    if ((slot == INT64_C(4)) || ((*cspan_at(&search, INT64_C(13), slot)) >= 1e+300))
     {
         return 0;
     }
@@ -12629,7 +12629,7 @@ static bool enter_descent(array_double_2d search)
     (*cspan_at(&state, INT64_C(8))) = 0.0;
     if (has_states(search))
     {
-        (*cspan_at(&state, INT64_C(13))) = (*cspan_at(&state, INT64_C(14) + slot));
+        (*cspan_at(&state, INT64_C(13))) = (*cspan_at(&search, INT64_C(13), slot));
         result = enter_poll(search);
         return result;
     }
@@ -12664,7 +12664,7 @@ static bool enter_step(array_double_2d search, array_double_2d values, array_dou
     write_step(search, values, slopes, newton);
     if ((*cspan_at(&state, INT64_C(10))) <= worth_while())
     {
-        if ((*cspan_at(&state, INT64_C(17))) > 0.5)
+        if ((*cspan_at(&state, INT64_C(15))) > 0.5)
         {
             result = enter_slopes(search);
             return result;
@@ -12689,29 +12689,32 @@ static bool enter_step(array_double_2d search, array_double_2d values, array_dou
 static void note_start(array_double_2d search)
 {
     array_double_1d state;
+    int64_t n;
     double found;
     int64_t slot;
     int64_t i;
     state = span_row(&search, INT64_C(0));
+    n = (int64_t)((*cspan_at(&state, INT64_C(1))));
     found = (*cspan_at(&state, INT64_C(11)));
-    for (slot = INT64_C(0); slot < INT64_C(2); slot += INT64_C(1))
+    slot = INT64_C(4);
+    while((slot > INT64_C(0)) && (found < (*cspan_at(&search, INT64_C(13), slot - INT64_C(1))) - 1e-09))
     {
-        if (found < (*cspan_at(&state, INT64_C(14) + slot)) - 1e-09)
+        slot = slot - INT64_C(1);
+        if (slot + INT64_C(1) < INT64_C(4))
         {
-            for (i = INT64_C(0); i < (int64_t)((*cspan_at(&state, INT64_C(1)))); i += INT64_C(1))
+            (*cspan_at(&search, INT64_C(13), slot + INT64_C(1))) = (*cspan_at(&search, INT64_C(13), slot));
+            for (i = INT64_C(0); i < n; i += INT64_C(1))
             {
-                if (slot == INT64_C(0))
-                {
-                    (*cspan_at(&search, INT64_C(9) + INT64_C(1), i)) = (*cspan_at(&search, INT64_C(9), i));
-                }
-                (*cspan_at(&search, INT64_C(9) + slot, i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(6), i));
+                (*cspan_at(&search, INT64_C(9) + slot + INT64_C(1), i)) = (*cspan_at(&search, INT64_C(9) + slot, i));
             }
-            if (slot == INT64_C(0))
-            {
-                (*cspan_at(&state, INT64_C(14) + INT64_C(1))) = (*cspan_at(&state, INT64_C(14)));
-            }
-            (*cspan_at(&state, INT64_C(14) + slot)) = found;
-            return;
+        }
+    }
+    if (slot < INT64_C(4))
+    {
+        (*cspan_at(&search, INT64_C(13), slot)) = found;
+        for (i = INT64_C(0); i < n; i += INT64_C(1))
+        {
+            (*cspan_at(&search, INT64_C(9) + slot, i)) = (*cspan_at(&search, INT64_C(3), i)) + (*cspan_at(&search, INT64_C(6), i));
         }
     }
 }
@@ -12781,11 +12784,11 @@ static bool judge_step(array_double_2d search, array_double_2d values, array_dou
             result = enter_slopes(search);
             return result;
         }
-        (*cspan_at(&state, INT64_C(17))) = 1.0;
+        (*cspan_at(&state, INT64_C(15))) = 1.0;
         result = enter_step(search, values, slopes, newton);
         return result;
     }
-    if ((*cspan_at(&state, INT64_C(17))) > 0.5)
+    if ((*cspan_at(&state, INT64_C(15))) > 0.5)
     {
         result = enter_slopes(search);
         return result;

@@ -64,7 +64,7 @@ SEGFMU_API void segfmu_drive_demands(array_double_3d flat, array_double_1d times
 SEGFMU_API int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault);
 SEGFMU_API double segfmu_friction_derivative(array_double_1d resistance, int64_t axis, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 SEGFMU_API void segfmu_demand_peaks(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
-SEGFMU_API void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, int64_t samples, array_double_2d peaks, array_double_2d times);
+SEGFMU_API void segfmu_demand_samples(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_1d resistance, array_double_3d contacts, array_double_2d work, array_double_2d peaks, array_double_2d times);
 SEGFMU_API double segfmu_next_uniform(array_double_1d numbers);
 SEGFMU_API void segfmu_seed_numbers(int64_t seed, array_double_1d numbers);
 SEGFMU_API void segfmu_noise_components(double bandwidth, array_double_1d deviation, array_double_1d numbers, array_double_2d components);

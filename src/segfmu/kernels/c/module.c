@@ -1988,11 +1988,10 @@ static PyObject *call_demand_samples(
     Py_buffer *in_resistance;
     Py_buffer *in_contacts;
     Py_buffer *in_work;
-    int64_t in_samples;
     Py_buffer *in_peaks;
     Py_buffer *in_times;
     (void)self;
-    if (take_count(&call, count, 10)
+    if (take_count(&call, count, 9)
         && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
         && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
         && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
@@ -2000,9 +1999,8 @@ static PyObject *call_demand_samples(
         && (in_resistance = take_array(&call, 4, 1, 'd', false)) != NULL
         && (in_contacts = take_array(&call, 5, 3, 'd', false)) != NULL
         && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
-        && take_int(&call, 7, &in_samples)
-        && (in_peaks = take_array(&call, 8, 2, 'd', true)) != NULL
-        && (in_times = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_peaks = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_times = take_array(&call, 8, 2, 'd', true)) != NULL
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
         && has_at_least(&call, "contacts", 1, in_contacts->shape[1], 1)
@@ -2028,7 +2026,6 @@ static PyObject *call_demand_samples(
             (array_double_1d){in_resistance->buf, {in_resistance->shape[0]}},
             (array_double_3d){in_contacts->buf, {in_contacts->shape[0], in_contacts->shape[1], in_contacts->shape[2]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-            in_samples,
             (array_double_2d){in_peaks->buf, {in_peaks->shape[0], in_peaks->shape[1]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}});
         answer = Py_NewRef(Py_None);
@@ -2672,7 +2669,7 @@ static PyObject *call_is_judged(
         && (in_search = take_array(&call, 2, 2, 'd', false)) != NULL
         && has_at_least(&call, "search", 1, in_search->shape[1], 1)
         && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)) {
         answer = PyBool_FromLong(segfmu_is_judged(
             in_duration,
             (array_double_1d){in_uses->buf, {in_uses->shape[0]}},
@@ -2695,7 +2692,7 @@ static PyObject *call_cap_best(
         && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
         && has_at_least(&call, "axes", 0, in_axes->shape[0], 3)
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 23)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)
         && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
         segfmu_cap_best(
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
@@ -2717,7 +2714,7 @@ static PyObject *call_write_best(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_pace)
         && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)
         && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
         segfmu_write_best(
             in_pace,
@@ -2739,7 +2736,7 @@ static PyObject *call_keep_best(
     if (take_count(&call, count, 2)
         && take_float(&call, 0, &in_pace)
         && (in_search = take_array(&call, 1, 2, 'd', true)) != NULL
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)
         && has_at_least(&call, "search", 1, in_search->shape[1], ((double *)in_search->buf)[0 * in_search->shape[1] + 1])) {
         segfmu_keep_best(
             in_pace,
@@ -2767,7 +2764,7 @@ static PyObject *call_begin_limits(
         && has_at_least(&call, "starts", 1, in_starts->shape[1], 1)
         && has_at_least(&call, "search", 1, in_search->shape[1], 1)
         && has_extent(&call, "kinds", 0, in_kinds->shape[0], in_starts->shape[1])
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)) {
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)) {
         segfmu_begin_limits(
             (array_double_2d){in_starts->buf, {in_starts->shape[0], in_starts->shape[1]}},
             (array_double_1d){in_kinds->buf, {in_kinds->shape[0]}},
@@ -2802,7 +2799,7 @@ static PyObject *call_next_limits(
         && has_at_least(&call, "starts", 0, in_starts->shape[0], 1)
         && has_at_least(&call, "search", 1, in_search->shape[1], 1)
         && has_at_least(&call, "uses", 0, in_uses->shape[0], 34)
-        && has_at_least(&call, "search", 0, in_search->shape[0], 14)
+        && has_at_least(&call, "search", 0, in_search->shape[0], 17)
         && has_at_least(&call, "values", 0, in_values->shape[0], 2)
         && has_at_least(&call, "values", 1, in_values->shape[1], 35)
         && has_at_least(&call, "slopes", 1, in_slopes->shape[1], 35)

@@ -20,6 +20,10 @@ from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.breaks import next_break
 from segfmu.kernels.trajectory.evaluate import evaluate_near
 
+# least samples of an interval between two joints: with four, a search for limits ends in plans that
+# use up to 1.5 of a bound, as jerk and snap of a ramp have several peaks
+SAMPLES = 8
+
 
 def demand_peaks(
     timing: 'float[:,:]',
@@ -81,20 +85,16 @@ def demand_samples(
     resistance: 'float[:]',
     contacts: 'float[:,:,:]',
     work: 'float[:,:]',
-    samples: int,
     peaks: 'float[:,:]',
     times: 'float[:,:]',
 ) -> None:
-    """As `demand_peaks`, among samples: a fast look that may miss a little of a peak.
-
-    samples: at least, of each interval between two joints.
-    """
+    """As `demand_peaks`, among samples: a fast look that may miss a little of a peak."""
     duration = clear_peaks(ends, work, peaks, times)
     begin = 0.0
     end = next_joint(begin, duration, timing, offsets, ends, contacts)
     while end < NEVER:
         # many intervals are halves and quarters of a plan: rounding must not decide
-        count = samples + int(64.0 * (end - begin) / duration + 1e-6)
+        count = SAMPLES + int(64.0 * (end - begin) / duration + 1e-6)
         for j in range(count):
             note_value(
                 begin + (end - begin) * j / count, timing, coefficients, offsets, ends, resistance,

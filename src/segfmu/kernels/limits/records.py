@@ -66,21 +66,11 @@ class Heading(Record):
     AXIS = field("sign of an acceleration whose unknown is positive", size=3)
 
 
-class Looks(Codes):
-    """Least samples of an interval between two joints in a look for peaks.
-
-    At two, its begin and its middle, jerk and snap of a ramp may vanish. Limits alone are found as
-    well; free states, whose slopes are small, are not.
-    """
-
-    GIVEN = 2
-    FREE = 4
-
-
 class Starts(Codes):
-    """COUNT: how many starts a search has."""
+    """How many starts a search has, and from how many of them it descends, the shortest ones."""
 
     COUNT = 16
+    DESCENTS = 4
 
 
 class LimitStatus(Codes):
@@ -134,7 +124,8 @@ class Search(Record):
     KEPT = field("the shortest of its plans that keep the bounds")
     STEP = field("step to the next point")
     BEST = field("the shortest plan of all, not relative")
-    CHOSEN = field("starts that descents begin from, not relative", size=2)
+    CHOSEN = field("starts that descents begin from, not relative", size=Starts.DESCENTS)
+    DURATIONS = field("their durations, from the shortest one on")
     KIND = field("of the unknowns, an `Unknown`")
     ORDER = field("power of the pace that a limit grows with")
     FREE = field("1 for unknowns whose slopes are known")
@@ -165,7 +156,6 @@ class SearchState(Record):
     KEPT = field("duration of the row KEPT")
     BEST = field("duration of the row BEST")
     BEFORE = field("what it was before a round")
-    CHOSEN = field("durations of the chosen starts", size=2)
     WANTED = field("duration below which a plan is of use to a poll or a sequence of paces")
     STALE = field("1: slopes are those of another point, corrected")
 

@@ -22,6 +22,7 @@ from segfmu.kernels.limits.records import (
     SearchStage,
     SearchState,
     SearchValues,
+    Starts,
     Unknown,
     Values,
 )
@@ -57,8 +58,8 @@ def begin_limits(starts: 'float[:,:]', kinds: 'float[:]', search: 'float[:,:]') 
     state[SearchState.UNKNOWNS] = n
     state[SearchState.STAGE] = SearchStage.START
     state[SearchState.BEST] = NEVER
-    for slot in range(2):
-        state[SearchState.CHOSEN + slot] = NEVER
+    for slot in range(Starts.DESCENTS):
+        search[Search.DURATIONS, slot] = NEVER
     enter_start(starts, search)
 
 
@@ -107,26 +108,26 @@ def enter_start(starts: 'float[:,:]', search: 'float[:,:]') -> None:
     for i in range(starts.shape[1]):
         search[Search.ORIGIN, i] = starts[row, i]
         search[Search.BASE, i] = 0.0
-    # it is to become one of the two shortest
-    enter_paces(search[Search.STATE, SearchState.CHOSEN + 1], search)
+    # it is to become one of the shortest
+    enter_paces(search[Search.DURATIONS, Starts.DESCENTS - 1], search)
 
 
 def note_start(search: 'float[:,:]') -> None:
-    """Keep a start at its pace if it is among the two shortest; the earlier one of equals."""
+    """Keep a start at its pace if it is among the shortest; the earlier one of equals."""
     state = search[Search.STATE, :]
+    n = int(state[SearchState.UNKNOWNS])
     found = state[SearchState.KEPT]
-    for slot in range(2):
-        if found < state[SearchState.CHOSEN + slot] - 1e-9:
-            for i in range(int(state[SearchState.UNKNOWNS])):
-                if slot == 0:
-                    search[Search.CHOSEN + 1, i] = search[Search.CHOSEN, i]
-                search[Search.CHOSEN + slot, i] = (
-                    search[Search.ORIGIN, i] + search[Search.KEPT, i]
-                )
-            if slot == 0:
-                state[SearchState.CHOSEN + 1] = state[SearchState.CHOSEN]
-            state[SearchState.CHOSEN + slot] = found
-            return
+    slot = int(Starts.DESCENTS)
+    while slot > 0 and found < search[Search.DURATIONS, slot - 1] - 1e-9:
+        slot = slot - 1
+        if slot + 1 < Starts.DESCENTS:
+            search[Search.DURATIONS, slot + 1] = search[Search.DURATIONS, slot]
+            for i in range(n):
+                search[Search.CHOSEN + slot + 1, i] = search[Search.CHOSEN + slot, i]
+    if slot < Starts.DESCENTS:
+        search[Search.DURATIONS, slot] = found
+        for i in range(n):
+            search[Search.CHOSEN + slot, i] = search[Search.ORIGIN, i] + search[Search.KEPT, i]
 
 
 def enter_descent(search: 'float[:,:]') -> bool:
@@ -134,7 +135,7 @@ def enter_descent(search: 'float[:,:]') -> bool:
     state = search[Search.STATE, :]
     state[SearchState.START] = state[SearchState.START] + 1.0
     slot = int(state[SearchState.START])
-    if slot > 1 or state[SearchState.CHOSEN + slot] >= NEVER:
+    if slot == Starts.DESCENTS or search[Search.DURATIONS, slot] >= NEVER:
         return False
     for i in range(int(state[SearchState.UNKNOWNS])):
         search[Search.ORIGIN, i] = search[Search.CHOSEN + slot, i]
@@ -142,7 +143,7 @@ def enter_descent(search: 'float[:,:]') -> bool:
         search[Search.BASE, i] = 0.0
     state[SearchState.ROUND] = 0.0
     if has_states(search):
-        state[SearchState.BEFORE] = state[SearchState.CHOSEN + slot]
+        state[SearchState.BEFORE] = search[Search.DURATIONS, slot]
         return enter_poll(search)
     state[SearchState.STAGE] = SearchStage.ENTER
     enter_paces(NEVER, search)

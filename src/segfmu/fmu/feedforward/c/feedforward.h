@@ -91,9 +91,9 @@ static bool require_taut(const segfmu_trajectory *t, const model *base, char mes
    left of the block, which is more than this needs; the contacts there are found again. */
 static bool require_space(feedforward *m, char message[MESSAGE]);
 
-/* Greatest demands on the drives in both directions and their times, (2, DEMAND_SIZE): among at least
-   so many samples of an interval between two joints; 0: exact. */
-static void measure(feedforward *m, int64_t samples, double *peaks, double *times);
+/* Greatest demands on the drives in both directions and their times, (2, DEMAND_SIZE): exact ones, or
+   those among samples. */
+static void measure(feedforward *m, bool exact, double *peaks, double *times);
 
 /* Plan with limits of the load that are found, and free states with them; false with a message where
    there are none. Gives the exact demands as `measure` does. It needs so many numbers behind those that

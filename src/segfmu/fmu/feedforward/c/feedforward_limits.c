@@ -131,7 +131,7 @@ static seen_plan *look(feedforward *m, limit_search *s, bool exact)
     }
     seen_plan *p = &s->seen[s->looks++ % SEEN];
     p->sum = sum;
-    measure(m, exact ? 0 : s->samples, p->peaks, p->times);
+    measure(m, exact, p->peaks, p->times);
     return p;
 }
 
@@ -237,7 +237,6 @@ bool feedforward_limits(feedforward *m, double *peaks, double *times, char messa
     limit_search s;
     double limits[LIMIT_UNKNOWNS];
     const bool chooses = find_places(&s, m);
-    s.samples = chooses ? LOOKS_FREE : LOOKS_GIVEN;
     if (!pose_search(&s, m, false, false, message)) {
         return false;
     }

@@ -100,7 +100,7 @@ static bool note_contacts(feedforward *m, char message[MESSAGE])
     return !segfmu_setup_message(status, fault, message, MESSAGE);
 }
 
-void measure(feedforward *m, int64_t samples, double *peaks, double *times)
+void measure(feedforward *m, bool exact, double *peaks, double *times)
 {
     const segfmu_trajectory t = feedforward_trajectory(m);
     double known[RESISTANCE_SIZE], work[DEMAND_PEAKS_SIZE * DEMAND_PEAKS_COLUMNS];
@@ -109,11 +109,11 @@ void measure(feedforward *m, int64_t samples, double *peaks, double *times)
     const array_double_1d ends = vector((double *)t.ends, AXES), crane = vector(known, RESISTANCE_SIZE);
     const array_double_2d space = matrix(work, DEMAND_PEAKS_SIZE, DEMAND_PEAKS_COLUMNS);
     const array_double_2d found = matrix(peaks, 2, DEMAND_SIZE), when = matrix(times, 2, DEMAND_SIZE);
-    if (samples > 0) {
-        segfmu_demand_samples(
-            timing_of(&t), pieces, offsets_of(&t), ends, crane, contacts(m), space, samples, found, when);
-    } else {
+    if (exact) {
         segfmu_demand_peaks(
+            timing_of(&t), pieces, offsets_of(&t), ends, crane, contacts(m), space, found, when);
+    } else {
+        segfmu_demand_samples(
             timing_of(&t), pieces, offsets_of(&t), ends, crane, contacts(m), space, found, when);
     }
 }
@@ -137,7 +137,7 @@ static int64_t note_uses(feedforward *m, double uses[BOUND_USES_SIZE], double fa
     double bounds[DRIVE_BOUNDS_SIZE], peaks[2 * DEMAND_SIZE] = {0.0}, times[2 * DEMAND_SIZE] = {0.0};
     feed_record(&feeds_drive_bounds, &m->base, bounds);
     if (segfmu_has_bounds(0, DEMAND_SIZE, vector(bounds, DRIVE_BOUNDS_SIZE))) {
-        measure(m, 0, peaks, times);
+        measure(m, true, peaks, times);
     }
     return write_uses(m, peaks, times, uses, fault);
 }

@@ -21,7 +21,6 @@ typedef struct {
     double uses[2 * DEMAND_SIZE], most, least, heading[HEADING_SIZE];
     seen_plan seen[SEEN];
     int64_t points, places, unknowns, looks;
-    int64_t samples;   /* least ones of an interval in a look for peaks */
     bool chooses;      /* free states are searched for, too */
     bool strict;       /* where bounds are exceeded paths are judged as well: free states lead astray */
     request base;      /* states with rest where they are free */
