@@ -274,6 +274,24 @@ def test_the_obstacle_behind_the_first_one_is_the_next_end() -> None:
     assert operator.load[0, 2] < -0.3
 
 
+@pytest.mark.parametrize(
+    ("start", "sense"), [([-0.5, -0.6, -0.7], 1.0), ([1.0, 0.6, -0.7], -1.0)]
+)
+def test_the_axis_that_is_the_last_to_enter_an_obstacle_waits(
+    start: list[float], sense: float
+) -> None:
+    # it is beside the box along both axes; when it comes to it along x, it is there along y
+    operator = Operator(LAB.crane, FREE, start, clearance=Clearance(LAB.clearance.obstacles))
+    operator.command("velocity", velocity=[sense * 0.4, sense * 0.25, 0.0])
+    place = follow(operator, 8.0)[:, 0]
+    beside = np.abs(place[:, 1]) < 0.32
+    face = 0.18 if sense > 0.0 else 0.52
+    left = sense * face - (sense * place[beside, 0]).max()
+    assert -1e-8 <= left < 0.03
+    # it goes on behind
+    assert sense * operator.load[0, 0] > sense * face + 0.1
+
+
 @pytest.mark.parametrize("name", SITES)
 def test_what_is_built_up_slowly_does_not_turn_back(name: str) -> None:
     site = SITES[name]
