@@ -15,7 +15,7 @@ class Driver {
     const driver = new Driver(), shown = [...Driver.STATE, ...Driver.LOAD, ...Driver.SPEED];
     driver.data = data;
     driver.system = await CraneSystem.load(data, shown);
-    driver.status = driver.system.feedforward.channel(["plan.status"]);
+    driver.status = driver.system.feedforward.channel(["plan.status", "plan.refused"]);
     driver.done = driver.system.feedforward.channel(["plan.done"]);
     driver.drives = driver.system.crane.channel(Driver.DRIVES);
     driver.points = 0;
@@ -181,8 +181,8 @@ class Driver {
     }
   }
 
-  // what became of the last command: 0 taken, 1 reduced, others as plan.status
+  // what became of the last command: plan.status and plan.refused, 0 taken
   get taken() {
-    return this.plain ? 0 : this.system.feedforward.read(this.status)[0];
+    return this.plain ? [0, 0] : this.system.feedforward.read(this.status);
   }
 }

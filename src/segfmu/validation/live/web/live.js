@@ -3,12 +3,11 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const find = (name) => document.getElementById(name);
 
-// of plan.status
-const STATUS = [
-  "", "reduced: a limit, an end or an obstacle is near", "not taken: limits of the load",
-  "not taken: the rope is too short or too long there", "not taken: the end of the workspace",
-  "not taken: an obstacle is in the way", "not taken: the drives are too weak",
-  "not taken yet: other plans are tried",
+// of plan.status and plan.refused
+const REDUCED = 1, PENDING = 7;
+const REASON = [
+  "", "", "limits of the load", "the rope is too short or too long there", "the end of the workspace",
+  "an obstacle is in the way", "the drives are too weak", "", "an end stop",
 ];
 // s of a frame that are made up for at most, and ms of work in one: then the crane is slower instead
 const LONGEST = 0.1, WORK = 14;
@@ -150,8 +149,16 @@ class Page {
     const pace = Math.hypot(...Driver.SPEED.map((name) => state[name]));
     find("pace-now").textContent = `${CraneView.told(pace, this.decimals.speed)} m/s`;
     find("place").textContent = load.map((value) => CraneView.told(value, this.decimals.place)).join(", ");
-    this.tell(driver.message || this.told || (driver.command.kind === "none" ? "" : STATUS[driver.taken]));
+    this.tell(driver.message || this.told || (driver.command.kind === "none" ? "" : this.outcome()));
     find("rate").textContent = `${driver.time.toFixed(1)} s, ${Math.round(this.rate)} frames a second`;
+  }
+
+  // what became of the last command
+  outcome() {
+    const [status, refused] = this.driver.taken;
+    if (status === 0) return "";
+    if (status === PENDING) return "not taken yet: other plans are tried";
+    return status === REDUCED ? `reduced: ${REASON[refused]}` : `not taken: ${REASON[status]}`;
   }
 
   // only what is new, as readers of screens speak it
