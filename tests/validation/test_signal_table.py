@@ -22,6 +22,11 @@ from segfmu.validation.signal_table import read_table
     ("time [ms],a\n0,1\n1,2\n", "column time is in ms; give it in s"),
     ("time,sway.x.angle [deg]\n0,1\n1,2\n", "column sway.x.angle is in deg; give it in rad"),
     ("time,a,a\n0,1,2\n", "two columns have one name, 'a'"),
+    ("title\ntime,a\n0,1\n", "no column time; the first line has 'title'"),
+    ("time|a\n0|1\n", "no column time; the first line has 'time|a'"),
+    ("time,a\n0,1\n1,\n",
+     ", line 3: a must be a number, got ''; leave out the rows that lack one"),
+    ("time," + 200_000 * "a" + "\n0,1\n", "the first line is no names of columns: field larger"),
     ("time,a\n0,1\n1,1\n1,2\n",
      "time does not increase: 1.0 s behind 1.0 s in row 3 of the numbers"),
     ("time,a\nnan,1\n1,2\n", "time does not increase: 1.0 s behind nan s"),
@@ -39,6 +44,7 @@ def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) ->
 @pytest.mark.parametrize("text", [
     "time,a [m]\n0,1\n1,2\n", "time;a\n0;1\n1;2\n", "time\ta [m]\r\n0\t1\r\n1\t2\r\n",
     ' time , "a" \r0 , 1\r1 , 2\r', "\ufefftime, a\n0, 1\n\n1, 2",
+    "# logged on Monday, at noon\n\ntime,a\n0,1\n1,2\n",
 ])
 def test_tables_are_read_as_spreadsheets_write_them(tmp_path: Path, text: str) -> None:
     path = tmp_path / "log.csv"
@@ -55,3 +61,21 @@ def test_other_encodings_are_named(tmp_path: Path, encoding: str) -> None:
     path.write_text("time,Länge\n0,1\n", encoding=encoding)
     with pytest.raises(InputError, match=r"cannot be read: it is not text in UTF-8$"):
         read_table(path)
+
+
+def test_columns_that_are_not_used_may_hold_anything(tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text("clock,t [s],a,note,,note\n10:00,0,1,on,,x\n10:01,1,2,off,nan,y\n", "utf-8")
+    table = read_table(path, {"t", "a"}, {"time": "t"})
+    assert {name: values.tolist() for name, values in table.items()} == {
+        "t": [0.0, 1.0], "a": [1.0, 2.0],
+    }
+    for used, told in (
+        ({"t", "note"}, "two columns have one name, 'note'"),
+        ({"t", "clock"}, "line 2: clock must be a number, got '10:00'"),
+    ):
+        with pytest.raises(InputError, match=told):
+            read_table(path, used, {"time": "t"})
+    path.write_text("t,a,note\n0,1,on\n1,2,5,off\n", "utf-8")
+    with pytest.raises(InputError, match="line 3: 4 values for 3 columns"):
+        read_table(path, {"t", "a"}, {"time": "t"})

@@ -16,6 +16,11 @@ LARGEST = 64_000_000
 UNIT = re.compile(r"\s+\[([^\]]*)\]$")
 
 
+def is_row(line: str) -> bool:
+    """Whether a line is neither empty nor begins with #."""
+    return bool(line.strip()) and not line.lstrip().startswith("#")
+
+
 def delimiter_of(line: str) -> str:
     """What is between the columns of a first line."""
     return next((d for d in DELIMITERS if d in line), ",")
@@ -58,8 +63,7 @@ def read_rows(file: Path) -> list[tuple[int, list[str]]]:
     if len(data) > LARGEST:
         raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
     rows = [
-        (number, line) for number, line in enumerate(text.splitlines(), 1)
-        if line.strip() and not line.lstrip().startswith("#")
+        (number, line) for number, line in enumerate(text.splitlines(), 1) if is_row(line)
     ]
     delimiter = delimiter_of(rows[0][1] if rows else "")
     found = []

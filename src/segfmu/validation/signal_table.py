@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import csv
 import warnings
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
 
@@ -15,36 +15,57 @@ import numpy as np
 
 from segfmu.arrays import FloatArray, shown
 from segfmu.errors import InputError
-from segfmu.planning.rows import LARGEST, delimiter_of, read_rows, without_units
+from segfmu.planning.rows import (
+    LARGEST,
+    UNIT,
+    delimiter_of,
+    is_row,
+    read_rows,
+    without_units,
+)
 from segfmu.validation.units import signal_units
 
 
-def read_table(path: Path) -> dict[str, FloatArray]:
+def read_table(
+    path: Path, used: Collection[str] | None = None, columns: Mapping[str, str] | None = None
+) -> dict[str, FloatArray]:
     """Columns of a CSV file by name: "time", which increases, and signals.
 
     Units in brackets behind the names are left out; signals of the FMUs must have theirs.
+
+    Parameters
+    ----------
+    path : Path
+    used : collection of str, optional
+        Names of the columns that are read; others may hold anything. Unless given, all are read.
+    columns : mapping of str to str, optional
+        Of time and signals that have another name in the file: that name, as which they are read.
 
     Raises
     ------
     InputError
         If it cannot be read or is no such table.
     """
+    other = columns or {}
+    time, own = other.get("time", "time"), signal_units()
+    units = own | {name: own[signal] for signal, name in other.items() if signal in own}
+    delimiter, cells = _header(path)
+    names = without_units(cells, units, str(path))
+    _require_names(path, names, time, names if used is None else used)
+    read = [i for i, name in enumerate(names) if used is None or name in used]
     try:
         with path.open(encoding="utf-8-sig", newline=None) as file:
-            delimiter, cells = _header(file)
+            _skip_header(file)
             data = _rows(file, delimiter)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, csv.Error):
-        raise InputError(_wrong(path)) from None
-    names = without_units(cells, signal_units(), str(path))
-    _require_names(path, names)
-    if data.shape[0] == 0:
+        # what else the file has may be no numbers
+        data = _cells(path, names, read)
+    if data.size == 0:
         raise InputError(f"{path}: there is no row of numbers")
     if data.shape[1] != len(names):
         raise InputError(f"{path}: {len(names)} names but rows of {data.shape[1]} numbers")
-    table: dict[str, FloatArray] = dict(zip(names, data.T, strict=True))
-    require_increasing(table["time"], str(path))
+    table: dict[str, FloatArray] = {names[i]: data[:, i] for i in read}
+    require_increasing(table[time], str(path))
     return table
 
 
@@ -59,11 +80,30 @@ def require_increasing(times: FloatArray, where: str) -> None:
         )
 
 
-def _header(file: TextIO) -> tuple[str, list[str]]:
-    line = file.readline()
+def column_names(path: Path) -> list[str]:
+    """Names of the columns of a CSV file, without units."""
+    return [UNIT.sub("", cell) for cell in _header(path)[1]]
+
+
+def _header(path: Path) -> tuple[str, list[str]]:
+    try:
+        with path.open(encoding="utf-8-sig", newline=None) as file:
+            line = _skip_header(file)
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except ValueError:
+        raise InputError(f"{path}: cannot be read: it is not text in UTF-8") from None
     delimiter = delimiter_of(line)
-    cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
+    try:
+        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
+    except csv.Error as error:
+        raise InputError(f"{path}: the first line is no names of columns: {error}") from None
     return delimiter, [cell.strip() for cell in cells]
+
+
+def _skip_header(file: TextIO) -> str:
+    """The first line that is neither empty nor begins with #; what follows is left to be read."""
+    return next((line for line in iter(file.readline, "") if is_row(line)), "")
 
 
 def _rows(file: TextIO, delimiter: str) -> FloatArray:
@@ -73,28 +113,32 @@ def _rows(file: TextIO, delimiter: str) -> FloatArray:
         return np.loadtxt(file, delimiter=delimiter, ndmin=2)
 
 
-def _require_names(path: Path, names: Sequence[str]) -> None:
-    if "time" not in names:
+def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
+    """The numbers of some columns of a file that has other things as well."""
+    if path.stat().st_size > LARGEST:
+        raise InputError(f"{path}: no table of numbers")
+    rows = read_rows(path)[1:]
+    data = np.full((len(rows), len(names)), np.nan)
+    for row, (number, cells) in zip(data, rows, strict=True):
+        where = f"{path}, line {number}"
+        if len(cells) != len(names):
+            raise InputError(f"{where}: {len(cells)} values for {len(names)} columns")
+        for i in read:
+            try:
+                row[i] = float(cells[i])
+            except ValueError:
+                hint = "; numbers have a decimal point" if "," in cells[i] else ""
+                hint = hint if cells[i] else "; leave out the rows that lack one"
+                raise InputError(
+                    f"{where}: {names[i]} must be a number, got {shown(cells[i])}{hint}"
+                ) from None
+    return data
+
+
+def _require_names(path: Path, names: Sequence[str], time: str, used: Collection[str]) -> None:
+    if time not in names:
         found = ", ".join(names)
-        raise InputError(f"{path}: no column time; the first line has {shown(found)}")
-    double = next((name for name in names if names.count(name) > 1), None)
+        raise InputError(f"{path}: no column {time}; the first line has {shown(found)}")
+    double = next((name for name in names if name in used and names.count(name) > 1), None)
     if double is not None:
         raise InputError(f"{path}: two columns have one name, {shown(double)}")
-
-
-def _wrong(path: Path) -> str:
-    """The first line that has something else than numbers."""
-    if path.stat().st_size > LARGEST:
-        return f"{path}: no table of numbers"
-    rows = read_rows(path)
-    for number, cells in rows[1:]:
-        where = f"{path}, line {number}"
-        if len(cells) != len(rows[0][1]):
-            return f"{where}: {len(cells)} values for {len(rows[0][1])} columns"
-        for name, cell in zip(rows[0][1], cells, strict=True):
-            try:
-                float(cell)
-            except ValueError:
-                comma = "; numbers have a decimal point" if "," in cell else ""
-                return f"{where}: {name} must be a number, got {shown(cell)}{comma}"
-    return f"{path}: no table of numbers"

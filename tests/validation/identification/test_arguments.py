@@ -72,6 +72,45 @@ def test_further_columns_are_no_misspelt_ones() -> None:
     assert segfmu.identify(log, CRANE, fit=["bridge.lag"]).fitted
 
 
+def written(file: Path, header: str, note: str) -> Path:
+    rows = np.stack([*LOG.values()]).T
+    lines = [",".join([*map(repr, row.tolist()), note]) for row in rows]
+    file.write_text("\n".join(["# of a crane", header, *lines]), "utf-8")
+    return file
+
+
+def test_time_may_have_another_name_and_other_columns_may_be_texts(tmp_path: Path) -> None:
+    header = ",".join(["Clock [s]" if name == "time" else name for name in [*LOG, "note"]])
+    file = written(tmp_path / "log.csv", header, "on")
+    for name in ("Clock", "Clock [s]"):
+        found = segfmu.identify(file, CRANE, fit=["bridge.lag"], columns={"time": name})
+        assert found.fitted[0].columns["time"].size == 38
+    log = {"Clock" if name == "time" else name: values for name, values in LOG.items()}
+    segfmu.identify(log, CRANE, fit=["bridge.lag"], columns={"time": "Clock"})
+    for given in (file, log):
+        with pytest.raises(InputError, match="no column time"):
+            segfmu.identify(given, CRANE, fit=["bridge.lag"])
+
+
+@pytest.mark.parametrize(("own", "unit", "needed"), [
+    ("time", "ms", "s"), ("measured.sway.x.angle", "deg", "rad"),
+    ("velocity.bridge", "m/min", "m/s"),
+])
+def test_units_of_columns_with_other_names_are_checked(
+    own: str, unit: str, needed: str, tmp_path: Path
+) -> None:
+    """Degrees of a column of another name were taken for radians."""
+    log = {**LOG, "measured.sway.x.angle": np.zeros(50)}
+    names = [f"mine [{unit}]" if name == own else name for name in log]
+    file = tmp_path / "log.csv"
+    np.savetxt(
+        file, np.stack([*log.values()]).T, delimiter=",", header=",".join(names), comments=""
+    )
+    for name in ("mine", f"mine [{unit}]"):
+        with pytest.raises(InputError, match=f"column mine is in {unit}; give it in {needed}"):
+            segfmu.identify(file, CRANE, fit=["bridge.lag"], columns={own: name})
+
+
 def test_the_signals_of_a_run_are_a_log() -> None:
     models = Path(__file__).parents[3] / "models"
     run = segfmu.simulate(models / "inteco.toml", step=0.01)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from itertools import pairwise
@@ -15,8 +15,9 @@ import numpy as np
 from segfmu.arrays import FloatArray, numbers, shown
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
+from segfmu.planning.rows import UNIT
 from segfmu.validation.files.keys import DRIVES
-from segfmu.validation.signal_table import read_table, require_increasing
+from segfmu.validation.signal_table import column_names, read_table, require_increasing
 from segfmu.validation.units import signal_units
 
 # m and rad
@@ -91,14 +92,19 @@ def read_log(
     """
     if not isinstance(source, str | Path | Mapping):
         raise InputError(f"{name} must be a file or a dict of columns, got {shown(source)}")
+    needed = [f"{drive}.{axis}" for axis in DRIVES]
+    own_names = ["time", *needed, *OUTPUTS]
+    _require_used(columns, own_names)
     if isinstance(source, Mapping):
         table = {str(n): numbers(str(n), _counted(values)) for n, values in source.items()}
-        _require_times(table, name)
+        _require_times(table, name, columns.get("time", "time"))
+        others: Iterable[str] = table
     else:
-        name, table = str(source), read_table(Path(source))
-    needed = [f"{drive}.{axis}" for axis in DRIVES]
-    table = _renamed(name, table, columns, {"time", *needed, *OUTPUTS})
-    _require_spelt(name, table, columns, [*needed, *OUTPUTS])
+        name, columns = str(source), {own: UNIT.sub("", c) for own, c in columns.items()}
+        table = read_table(Path(source), {*own_names, *columns.values()}, columns)
+        others = column_names(Path(source))
+    table = _renamed(name, table, columns, own_names)
+    _require_spelt(name, table, columns, own_names[1:], others)
     if table["time"].size < FEWEST:
         raise InputError(f"{name}: {_rows(table['time'].size)}, at least {FEWEST} are needed")
     # a velocity drive that was told nothing rests; a force is never nothing
@@ -161,32 +167,40 @@ def _rows(count: int) -> str:
     return f"{count} row{'s' * (count != 1)}"
 
 
+def _require_used(columns: Mapping[str, str], names: Sequence[str]) -> None:
+    for own in columns:
+        if own not in names:
+            raise InputError(f"column {own}: no signal that is used; {', '.join(sorted(names))}")
+
+
 def _renamed(
-    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], names: set[str]
+    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], names: Sequence[str]
 ) -> dict[str, FloatArray]:
     found = dict(table)
     for own, other in columns.items():
-        if own not in names:
-            raise InputError(f"column {own}: no signal that is used; {', '.join(sorted(names))}")
         if other not in table:
             raise InputError(f"{where}: no column {other}, which is to be {own}")
         found[own] = table[other]
-    for own in names & found.keys():
-        wrong = np.flatnonzero(~np.isfinite(found[own]))
+    for own in names:
+        wrong = np.flatnonzero(~np.isfinite(found[own])) if own in found else np.empty(0)
         if wrong.size:
-            raise InputError(f"{where}: no number for {own} at {found['time'][wrong[0]]:.6g} s")
+            raise InputError(
+                f"{where}: no number for {own} at {found['time'][wrong[0]]:.6g} s; leave out the "
+                "rows that lack one"
+            )
     return found
 
 
 def _require_spelt(
-    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], used: Sequence[str]
+    where: str, table: Mapping[str, FloatArray], columns: Mapping[str, str], used: Sequence[str],
+    names: Iterable[str],
 ) -> None:
     """Refuse columns whose names are nearly those of signals that the table lacks.
 
     Other columns are those of other things, as tables of a simulation have them.
     """
     lacking = [n for n in used if n not in table]
-    others = table.keys() - {"time", *used, *columns.values()} - signal_units().keys()
+    others = set(names) - {"time", *used, *columns.values()} - signal_units().keys()
     for name in sorted(others):
         near = get_close_matches(name.lower(), lacking, n=1, cutoff=MISSPELT)
         if near:
@@ -196,15 +210,15 @@ def _require_spelt(
             )
 
 
-def _require_times(table: Mapping[str, FloatArray], name: str) -> None:
-    if "time" not in table:
-        raise InputError(f"{name}: no column time")
+def _require_times(table: Mapping[str, FloatArray], name: str, time: str) -> None:
+    if time not in table:
+        raise InputError(f"{name}: no column {time}")
     for own, values in table.items():
         if values.ndim != 1:
             raise InputError(f"{name}: {own} must be a list of numbers")
-        if values.shape != table["time"].shape:
-            raise InputError(f"{name}: {own} must have as many numbers as time")
-    require_increasing(table["time"], name)
+        if values.shape != table[time].shape:
+            raise InputError(f"{name}: {own} must have as many numbers as {time}")
+    require_increasing(table[time], name)
 
 
 def _require_units(log: Log) -> None:
