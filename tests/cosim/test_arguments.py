@@ -64,6 +64,16 @@ def test_a_name_is_no_sequence_of_names(
     assert str(info.value) == words
 
 
+def test_changes_of_a_file_name_its_line(probes: dict[int, Path]) -> None:
+    with System({"a": probes[2]}, step=0.1) as system:
+        for name, value, told in (
+            ("x", "much", "a: x takes a number, got 'much'"), ("z", 1.0, "a has no variable z"),
+        ):
+            changes = [Change(0.1, "a", {name: value}, origin="r.csv, line 3")]
+            with pytest.raises(InputError, match=f"^r.csv, line 3: {told}"):
+                system.run(stop_time=0.2, changes=changes)
+
+
 def test_a_profile_has_a_value_for_each_time() -> None:
     assert profile("a", "x", iter([0.0, 1.0]), [1, 2]) == [
         Change(0.0, "a", {"x": 1}), Change(1.0, "a", {"x": 2})

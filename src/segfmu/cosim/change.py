@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from numpy.typing import NDArray
@@ -26,11 +26,14 @@ class Change:
         Name of the FMU in the system.
     values : mapping of str to number or str
         As start values. They stay until the next change.
+    origin : str
+        Where the values are from, as a line of a file, for messages.
     """
 
     time: float
     fmu: str
     values: Mapping[str, Any]
+    origin: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,11 +97,14 @@ def due(
         require_mapping(f"{change.fmu}: values of a change", change.values)
         unit = units[change.fmu]
         own = change.fmu, tuple(change.values)
-        if own not in right:
-            for name in change.values:
-                _require_changeable(unit, change.fmu, name, connected)
-            right.add(own)
-        found.append(Due(time, names.index(change.fmu), unit.assignments(change.values)))
+        try:
+            if own not in right:
+                for name in change.values:
+                    _require_changeable(unit, change.fmu, name, connected)
+                right.add(own)
+            found.append(Due(time, names.index(change.fmu), unit.assignments(change.values)))
+        except InputError as error:
+            raise InputError(f"{change.origin}: {error}" if change.origin else str(error)) from None
     return sorted(found, key=lambda d: d.time)
 
 

@@ -137,7 +137,7 @@ class Setter:
         if isinstance(value, str):
             items = {i.name: int(i.value) for i in getattr(variable.declaredType, "items", [])}
             if value not in items:
-                allowed = ", ".join(items) or "a number"
+                allowed = ", ".join(items) or ("true or false" if kind is bool else "a number")
                 raise InputError(f"{owner}: {variable.name} takes {allowed}, got {shown(value)}")
             return items[value]
         if isinstance(value, bool | np.bool_) and kind is not bool:

@@ -29,6 +29,9 @@ def test_a_row_is_held_and_only_what_changes_is_set(tmp_path: Path) -> None:
         Change(2.0, "planner", {"command.mode": "stop", "command.go": False}),
         Change(0.0, "crane", {"wind.x": 0.0}), Change(1.5, "crane", {"wind.x": 2.0}),
     ]
+    assert [c.origin for c in found.changes(variables)] == [
+        f"{found.path}, line {line}" for line in (2, 5, 2, 3)
+    ]
     with pytest.raises(InputError, match=r"r\.csv: column wind\.x is no variable of planner"):
         list(found.changes({"planner": variables["planner"]}))
 
@@ -49,6 +52,7 @@ WRONG = {
     "time,a,a\n0,1,2\n": "two columns are called 'a'",
     "time,a\n": "has no rows below its header",
     "time,a\n0\n": "line 2: 1 values for 2 columns",
+    "time;a\n0;0,2\n": "line 2: a: got '0,2'; numbers have a decimal point",
     "time,a\n0,\n": "line 2: a is empty; repeat the value before",
     "time,a\n0,1\nnow,1\n": "line 3: time must be a time >= 0 s, got 'now'",
     "time,a\n-1,1\n": "line 2: time must be a time >= 0 s, got -1.0",

@@ -34,11 +34,14 @@ class Recording:
     columns : mapping of str to tuple
         A value for each row, by the name of the variable: a number, true, false, or the name of an
         item.
+    lines : tuple of int
+        Of the rows in the file, from 1.
     """
 
     path: Path
     times: tuple[float, ...]
     columns: Mapping[str, tuple[Cell, ...]]
+    lines: tuple[int, ...]
 
     @property
     def end(self) -> float:
@@ -68,7 +71,7 @@ class Recording:
                     if i == 0 or self.columns[name][i] != self.columns[name][i - 1]
                 }
                 if values:
-                    yield Change(time, fmu, values)
+                    yield Change(time, fmu, values, f"{self.path}, line {self.lines[i]}")
 
     def _owner(self, name: str, variables: Mapping[str, Sequence[str]]) -> str:
         for fmu, names in variables.items():
@@ -87,10 +90,10 @@ def load_recording(path: Path) -> Recording:
     InputError
         One line with the file, the row, and what is wrong.
     """
-    lines = read_rows(path)
-    if not lines:
+    found = read_rows(path)
+    if not found:
         raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
-    (_, cells), *rows = lines
+    (_, cells), *rows = found
     names = without_units(cells, signal_units(), str(path))
     _require_header(path, names)
     if not rows:
@@ -102,8 +105,9 @@ def load_recording(path: Path) -> Recording:
             raise InputError(f"{where}: {len(row)} values for {len(names)} columns")
         for name, text in zip(names, row, strict=True):
             columns[name].append(_cell(f"{where}: {name}", text))
-    times = _times(path, [number for number, _ in rows], columns.pop(TIME))
-    return Recording(path, times, {name: tuple(cells) for name, cells in columns.items()})
+    lines = tuple(number for number, _ in rows)
+    times = _times(path, lines, columns.pop(TIME))
+    return Recording(path, times, {name: tuple(cells) for name, cells in columns.items()}, lines)
 
 
 def _require_header(path: Path, names: Sequence[str]) -> None:
@@ -125,6 +129,8 @@ def _cell(where: str, text: str) -> Cell:
     try:
         number = float(text)
     except ValueError:
+        if "," in text:
+            raise InputError(f"{where}: got {text!r}; numbers have a decimal point") from None
         return text
     if not isfinite(number):
         raise InputError(f"{where} must be finite, got {text}")
