@@ -245,6 +245,16 @@ def test_drives_that_do_not_follow_stop_at_the_obstacle_too() -> None:
     np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-9)
 
 
+def test_what_only_slow_plans_keep_ends_at_the_obstacle_too() -> None:
+    # the bridge is too weak for its limit, and only slower plans come as far as the obstacle
+    operator = Operator(
+        PORT.crane, PORT.limits, [0.0, 46.0, -17.0], bounds=PORT.bounds, clearance=PORT.clearance
+    )
+    operator.command("velocity", velocity=[-0.05, -1.5, 0.0])
+    follow(operator, 40.0, PORT.step)
+    assert operator.load[0, 1] == pytest.approx(30.0 + 1.2 + 0.5, abs=1e-6)
+
+
 def test_a_load_beside_an_obstacle_rises_at_full_speed_and_goes_on_above() -> None:
     operator = LAB.operator()
     operator.command("target", target=[0.18, 0.0, -0.8])

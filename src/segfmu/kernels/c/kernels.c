@@ -30401,13 +30401,13 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
             take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
             return 1;
         }
-        if (failed == INT64_C(0))
+        if ((failed == INT64_C(0)) && ((*cspan_at(&progress, INT64_C(8))) == 0.0))
         {
             (*cspan_at(&progress, INT64_C(2))) = status;
         }
-        failed = status;
-        if (!((failed == INT64_C(5)) && blocks(attempt, operation, known, work)))
+        if (!((status == INT64_C(5)) && blocks(attempt, operation, known, work)))
         {
+            failed = status;
             attempt = attempt + INT64_C(1);
         }
         else if (is_prolonged(operation) && are_ways_kept(operation))

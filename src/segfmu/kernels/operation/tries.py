@@ -75,11 +75,11 @@ def attempt_plans(
         if status == OperationStatus.TAKEN:
             take_plan(rank(attempt, operation), operation, timing, coefficients, offsets)
             return True
-        if failed == OperationStatus.TAKEN:
+        if failed == OperationStatus.TAKEN and progress[Progress.BLOCKS] == 0.0:
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
-        failed = status
-        if not (failed == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
+        if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
+            failed = status
             attempt = attempt + 1
         elif is_prolonged(operation) and are_ways_kept(operation):
             progress[Progress.STATUS] = OperationStatus.REDUCED
