@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pyarrow
+import pyarrow.parquet
 import pytest
 
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.result import CampaignResult, load_result
+from segfmu.validation.campaigns.store import read_table
 
 
 @pytest.mark.parametrize(("margins", "worst"), [
@@ -42,3 +44,23 @@ def test_a_column_that_the_table_has_not_is_told_with_one_that_may_be_meant() ->
     for name in (None, 3, ["run"]):
         with pytest.raises(InputError, match="no column"):
             found.column(name)
+
+
+def test_a_table_that_lacks_a_column_is_no_table_of_runs(tmp_path: Path) -> None:
+    """What it lacked was filled with nothing, and taken for runs."""
+    path = tmp_path / "runs.parquet"
+    schema = pyarrow.schema([("run", pyarrow.int64()), ("passed", pyarrow.bool_())])
+    pyarrow.parquet.write_table(pyarrow.table({"more": ["x"], "passed": [True], "run": [0]}), path)
+    assert read_table(path, schema).to_pylist() == [{"run": 0, "passed": True}]
+    pyarrow.parquet.write_table(pyarrow.table({"run": [0]}), path)
+    with pytest.raises(InputError, match=r"runs\.parquet: no table of runs: there is no column pa"):
+        read_table(path, schema)
+
+
+@pytest.mark.parametrize("about", [
+    '{"name": "x", "factors": 5, "criteria": []}', '{"name": "x", "factors": [], "criteria": null}',
+])
+def test_a_campaign_of_other_kinds_of_values_is_told(about: str, tmp_path: Path) -> None:
+    (tmp_path / "campaign.json").write_text(about, encoding="utf-8")
+    with pytest.raises(InputError, match=r"campaign\.json: no campaign: .* not iterable$"):
+        load_result(tmp_path)

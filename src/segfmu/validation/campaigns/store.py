@@ -185,11 +185,13 @@ def read_table(path: Path, schema: pyarrow.Schema | None = None) -> pyarrow.Tabl
     Raises
     ------
     InputError
-        If it cannot be read.
+        If it cannot be read, or lacks a column of the schema.
     """
     import pyarrow.parquet
 
     try:
+        if schema is not None:
+            _require_columns(schema, pyarrow.parquet.read_schema(path))
         return pyarrow.parquet.read_table(path, schema=schema)
     except (OSError, pyarrow.ArrowException) as error:
         reason = first_line(error)
@@ -198,13 +200,24 @@ def read_table(path: Path, schema: pyarrow.Schema | None = None) -> pyarrow.Tabl
         ) from None
 
 
+def _require_columns(schema: pyarrow.Schema, found: pyarrow.Schema) -> None:
+    """Raise for a column that a file lacks, which pyarrow fills with nothing."""
+    import pyarrow
+
+    missing = next((name for name in schema.names if name not in found.names), None)
+    if missing is not None:
+        raise pyarrow.ArrowInvalid(f"there is no column {missing}")
+
+
 def _about(path: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror or error}") from None
     except ValueError as error:
-        raise InputError(f"{path}: cannot be read: {error}") from None
+        raise InputError(
+            f"{path}: cannot be read: {error}; give a new folder, in which the campaign begins anew"
+        ) from None
     return found if isinstance(found, dict) else {}
 
 
@@ -288,3 +301,5 @@ def about(folder: Path) -> dict[str, Any]:
         }
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None
+    except TypeError as error:
+        raise InputError(f"{folder / ABOUT}: no campaign: {error}") from None
