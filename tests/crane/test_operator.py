@@ -28,6 +28,7 @@ from tests.campaign import campaign
 
 MODELS = Path(__file__).parents[2] / "models"
 FREE = Limits(velocity=[0.4, 0.4, 0.3], acceleration=0.5, jerk=1.5, snap=10.0)
+LEVEL = Limits(velocity=0.4, acceleration=0.5, jerk=1.5, snap=10.0)
 
 
 def values_of(operator: Operator, time: float, orders: int) -> np.ndarray:
@@ -464,6 +465,10 @@ def test_numbers_that_are_none_stop_the_load() -> None:
     (lambda o: o.command("target", [0.5, 0.3, -0.4]), r"mode target needs a target \[m\]: give it "
      "once, as target="),
     (lambda o: o.command("inching", [1.0, 0.0, 0.0]), r"mode inching needs a distance \[m\]"),
+    (lambda o: o.command("inching", [1.0, 0.0, 0.0], distance=[0.1, -0.1, 0.1]),
+     r"distance must be at least 0 m, got \[0.1, -0.1, 0.1\]; the sign of the velocity is"),
+    (lambda o: Operator(LAB.crane, FREE, plan([Waypoint([0.0, 0.0]), Waypoint([1.0, 1.0])], LEVEL)),
+     "needs axes x, y, z; got 2 axes"),
     (lambda o: o.step(0.0), "duration must be a time > 0 s"),
     (lambda o: free(hold=0.0), "hold must be a time > 0 s"),
     (lambda o: free(bounds=3), "bounds"),

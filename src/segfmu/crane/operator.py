@@ -137,7 +137,7 @@ class Operator:
         if isinstance(start, Trajectory):
             smoothness = start.smoothness
         smoothness = checked_smoothness(smoothness)
-        require_gantry(crane, 3, smoothness)
+        require_gantry(crane, start.axes if isinstance(start, Trajectory) else 3, smoothness)
         if not isinstance(limits, Limits):
             raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
         require_bounds("bounds", bounds)
@@ -247,18 +247,19 @@ class Operator:
         ----------
         mode : {"mission", "target", "velocity", "stop", "inching", "emergency"}
             "mission" follows the plan that there is to its end. "emergency" stops bridge, trolley
-            and hoist as fast as their drives can; the load swings on, and no other command is
-            followed any more: begin with another Operator when the load rests. Where no such stop
-            keeps the bounds, it is "stop".
+            and hoist as fast as their drives can, and the load swings on: no other command is
+            followed until they stand, then the first one but "mission" takes the swing over. Where
+            no such stop keeps the bounds, it is "stop".
         velocity : array_like, shape (3,), optional
             Of the load [m/s]; beyond the limits, the limits. In the mode "inching" its signs are
-            pushes: each change to one moves the target by the distance.
+            pushes: each change to one moves the target by the distance; one that is there when the
+            mode begins is none.
         target : array_like, shape (3,), optional
             Where to go [m].
         distance : array_like, scalar or shape (3,), optional
-            Of a push [m].
+            Of a push [m], at least 0.
         scale : float, optional
-            Share of the velocity limits, 0 to 1; 0 stops the load.
+            Share of the velocity limits, 0 to 1; less than 0.001 stops the load.
 
         Raises
         ------
@@ -283,6 +284,11 @@ class Operator:
         ):
             if value is not None:
                 command[place : place + 3] = triple(name, value, alike=name == "distance")
+        if (command[Command.DISTANCE : Command.DISTANCE + 3] < 0.0).any():
+            raise InputError(
+                f"distance must be at least 0 m, got {shown(distance)}; the sign of the velocity "
+                "is the direction of a push"
+            )
         if mode in NEEDED:
             needed, place = NEEDED[mode]
             if np.isnan(command[place : place + 3]).any():
