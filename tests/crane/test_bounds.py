@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -37,3 +39,9 @@ def test_a_state_at_rest_asks_for_no_friction_and_one_that_moves_for_all() -> No
     forces = moving[:, Demand.FORCE : Demand.VELOCITY]
     expected = np.array([[4.0, 0.0, 0.0], [0.0, 3.0, 9.81 + 2.0]])
     assert forces == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", ["speed", 3, None, ["force"], np.zeros(3)])
+def test_lower_bounds_of_no_quantity_are_refused(name: Any) -> None:
+    with pytest.raises(InputError, match=r"^name must be one of force, velocity, accel.*, got "):
+        ActuatorBounds(velocity=1.0).lower(name)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
+from typing import Any
 
 import pytest
 
@@ -19,6 +20,7 @@ from segfmu.crane import (
 )
 from segfmu.crane.disturbance import GUST, PAYLOAD, WIND
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL
+from segfmu.crane.hook import HookCrane
 from segfmu.crane.observer import UNCERTAINTY, Uncertainty
 from segfmu.crane.parameters import CRANE
 from segfmu.crane.sensors import SENSORS
@@ -78,3 +80,10 @@ def test_wrong_numbers_are_refused_each_time() -> None:
     for _ in range(2):
         with pytest.raises(InputError, match="friction"):
             kept(Friction, FRICTION, known.__getitem__)
+
+
+@pytest.mark.parametrize("kind", [Crane, Rig, Wind, HookCrane])
+@pytest.mark.parametrize("value", [None, 3, "mass", {"mass": 1.0}])
+def test_what_gives_no_values_by_names_is_refused(kind: Any, value: Any) -> None:
+    with pytest.raises(InputError, match=r"^value must be a function of a variable's name, got "):
+        kind.of(value)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from benchmarks.directions import directed
@@ -35,6 +37,12 @@ def mirror(limits: Limits, smoothness: int = 4) -> Limits:
 def ranges(found: Trajectory) -> np.ndarray:
     """Least and largest velocity and acceleration of the first axis, shape (2, 2)."""
     return np.array([np.concatenate(found.extrema(order)) for order in (1, 2)])
+
+
+@pytest.mark.parametrize("axes", [-1, "a", None, 1.5, True, [1]])
+def test_lower_limits_of_no_number_of_axes_are_refused(axes: Any) -> None:
+    with pytest.raises(InputError, match=r"^axes must be (an integer|at least 0), got "):
+        HOIST.lower(axes)
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])

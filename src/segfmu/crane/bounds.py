@@ -122,7 +122,14 @@ class ActuatorBounds(Frozen):
         """Magnitudes of the bounds of a quantity in the negative direction, infinite: none.
 
         Of the travel, minus the least places.
+
+        Raises
+        ------
+        InputError
+            For a name that is none of a quantity.
         """
+        if not isinstance(name, str) or name not in QUANTITIES:
+            raise InputError(f"name must be one of {', '.join(QUANTITIES)}, got {shown(name)}")
         own: FloatArray = getattr(self, name)
         if name == "travel":
             return -self.travel_min

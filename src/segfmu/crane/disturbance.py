@@ -17,7 +17,7 @@ from segfmu.crane.checks import (
     require_seed,
     sized,
 )
-from segfmu.crane.variables import Value, build, fed, kept, values
+from segfmu.crane.variables import Value, build, fed, kept, require_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Plant
@@ -184,6 +184,7 @@ class Wind:
     @classmethod
     def of(cls, value: Value) -> Wind:
         """From the FMU's variables; `value` gives them by name."""
+        require_values(value)
         gust = kept(Gust, GUST, value) if float(value(DURATION)) > 0.0 else None
         turbulence: Turbulence | None = kept(Turbulence, TURBULENCE, value)
         if turbulence is not None and not any(turbulence.deviation):

@@ -12,7 +12,7 @@ from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
-from segfmu.crane.variables import Value, build, filled, kept, values
+from segfmu.crane.variables import Value, build, filled, kept, require_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DRIVES, DriveMode, Plant
@@ -93,6 +93,7 @@ class Rig:
         InputError
             For values that do not fit together.
         """
+        require_values(value)
         bridge, trolley, hoist = (kept(Drive, mapping, value) for mapping in DRIVE)
         return cls(
             bridge, trolley, hoist, kept(Friction, FRICTION, value),

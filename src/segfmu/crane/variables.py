@@ -12,7 +12,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, shown
+from segfmu.errors import InputError
 from segfmu.kernels.records import Record
 
 T = TypeVar("T")
@@ -92,6 +93,15 @@ def filled(record: type[Record], value: Value) -> FloatArray:
     array = np.zeros(record.SIZE)
     record.fill(array, value)
     return array
+
+
+def require_values(value: Value) -> None:
+    """InputError for what gives no values by names."""
+    if not callable(value):
+        raise InputError(
+            f"value must be a function of a variable's name, got {shown(value)}; of a dict d give "
+            "d.__getitem__"
+        )
 
 
 def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:

@@ -109,7 +109,13 @@ class Limits(Frozen):
         Returns
         -------
         ndarray, shape (axes, 2)
+
+        Raises
+        ------
+        InputError
+            For another number of axes than that of the limits.
         """
+        axes = as_index("axes", axes)
         for name, values in zip(LOWER, self._lower(), strict=True):
             _require_axes(name, values, axes)
         found = np.empty((axes, len(LOWER)))
