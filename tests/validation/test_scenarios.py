@@ -81,6 +81,9 @@ MALFORMED = {
     "bound of no number": HEAD + CRITERION.replace("0.005", "nan"),
     "no signal": HEAD + CRITERION.replace('signal = "error.load.norm"\n', ""),
     "norm of one": HEAD + CRITERION.replace('"error.load.norm"', '["error.load.norm"]'),
+    "norm of two units": HEAD + CRITERION.replace(
+        '"error.load.norm"', '["error.load.norm", "sway.total"]'),
+    "reference of another unit": HEAD + CRITERION + 'kind = "tube"\nreference = "sway.total"\n',
     "two of one name": HEAD + CRITERION + CRITERION,
     "key of another kind": HEAD + CRITERION + "at = 1.0\n",
     "at without time": HEAD + CRITERION + 'kind = "at"\n',

@@ -9,7 +9,7 @@ import pytest
 
 from segfmu.cosim import write_csv
 from segfmu.validation.signal_table import read_table
-from segfmu.validation.units import scale, shown, signal_units
+from segfmu.validation.units import scale, shown, signal_units, unlike
 from tests.tables import columns
 
 
@@ -42,3 +42,14 @@ def test_units_follow_the_size(largest: float, unit: str, expected: tuple[float,
     factor, name = scale(largest, unit)
     assert (factor, name) == (pytest.approx(expected[0]), expected[1])
     assert shown((largest, 0.0), unit)[0] == (pytest.approx(factor * largest), 0.0)
+
+
+@pytest.mark.parametrize(("names", "told"), [
+    (["sway.total", "error.load.norm"], "sway.total is in rad, error.load.norm in m"),
+    (["error.load.x", "third.signal", "load.velocity.x"],
+     "error.load.x is in m, load.velocity.x in m/s"),
+    (["bridge.position", "reference.bridge.position"], ""), (["third.signal", "sway.total"], ""),
+    ([], ""),
+])
+def test_signals_of_different_units_are_told(names: list[str], told: str) -> None:
+    assert unlike(names) == told

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from math import degrees
 
 from segfmu.fmu.models import registered
@@ -32,6 +32,14 @@ def signal_units() -> dict[str, str]:
     specs = (model.spec() for model in registered())
     own = {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
     return {"time": "s"} | own
+
+
+def unlike(names: Iterable[str]) -> str:
+    """What tells that signals are in different units; empty where none is known to be."""
+    units = signal_units()
+    found = [(name, units[name]) for name in names if name in units]
+    other = next(((name, unit) for name, unit in found if unit != found[0][1]), None)
+    return "" if other is None else f"{found[0][0]} is in {found[0][1]}, {other[0]} in {other[1]}"
 
 
 def length(largest: float) -> tuple[float, str]:

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_v
 
 from segfmu.errors import InputError
 from segfmu.validation.files.keys import Key, NotNegative, Number, Positive, Table, printable
+from segfmu.validation.units import unlike
 
 INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
 CRANE = "GantryCrane"
@@ -213,6 +214,9 @@ class CriterionTable(Table):
             raise ValueError(f"bound {self.bound:g} is below 0, which nothing is within")
         if isinstance(self.signal, list) and len(self.signal) < 2:
             raise ValueError("signal: a norm is one of at least two variables")
+        names = [self.signal] if isinstance(self.signal, str) else [*(self.signal or ())]
+        if different := unlike([*names, *([self.reference] if self.reference else [])]):
+            raise ValueError(f"signals of different units are not compared: {different}")
         return self
 
 
