@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+from copy import copy, deepcopy
 from itertools import pairwise
 from pathlib import Path
 
@@ -499,6 +501,21 @@ def test_a_command_that_is_refused_changes_nothing() -> None:
     follow(refused, 1.0)
     follow(untouched, 1.0)
     assert np.array_equal(refused.load, untouched.load)
+
+
+def test_copies_go_on_by_themselves() -> None:
+    """A shallow copy shared its plan with the operator, and had another time."""
+    operator = free()
+    operator.command("velocity", velocity=[0.3, 0.0, 0.0])
+    follow(operator, 0.5)
+    copies = copy(operator), deepcopy(operator), pickle.loads(pickle.dumps(operator))
+    for other in copies:
+        other.command("velocity", velocity=[0.0, 0.2, 0.0])
+        follow(other, 0.5)
+    follow(operator, 0.5)
+    assert operator.load[1, 0] > 0.1 and operator.load[0, 1] == 0.0
+    assert copies[0].load[0, 1] > 0.0
+    assert np.array_equal([other.load for other in copies], 3 * [copies[0].load])
 
 
 def test_it_tells_what_it_does() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
+from copy import deepcopy
 from dataclasses import dataclass
 
 import numpy as np
@@ -227,6 +228,10 @@ class Operator:
                 f"{name}: no way from there to rest keeps {status}; widen that, or let the swing "
                 "decay"
             )
+
+    def __copy__(self) -> Operator:
+        """Another one that goes on from here by itself."""
+        return deepcopy(self)
 
     def __repr__(self) -> str:
         at = ", ".join(f"{p:.4g}" for p in self.load[0])
