@@ -256,6 +256,52 @@ def test_help_teaches(tmp_path: Path) -> None:
     assert "Example" in result.stdout
 
 
+SCENARIO = """
+name = "s"
+mission = "MODELS/inteco.toml"
+[[criteria]]
+name = "as before"
+kind = "tube"
+signal = "bridge.position"
+reference = "s.csv"
+bound = 0.01
+"""
+
+
+@pytest.mark.parametrize(("words", "lost"), [
+    (("plan", "m.toml", "-o", "."), "plan.csv"),
+    (("simulate", "c.toml", "--commands", "run.csv", "-o", "."), "run.csv"),
+    (("live", "c.toml", "-o", "c.toml"), "c.toml"), (("live", "c.toml", "-o", "l.toml"), "c.toml"),
+    (("validate", "s.toml", "-o", "."), "s.csv"),
+    (("validate", "s.toml", "--junit", "s.toml"), "s.toml"),
+    (("identify", "run.csv", "--crane", "crane.toml", "-o", "."), "crane.toml"),
+    (("campaign", "c.toml", "--junit", "c.toml"), "c.toml"),
+])
+def test_what_is_read_is_not_written_over(words: tuple[str, ...], lost: str, tmp_path) -> None:
+    """A recording, a reference and a crane file were replaced by results."""
+    lab = MODELS / "commands" / "lab"
+    mission = (MODELS / "paper.toml").read_text(encoding="utf-8")
+    mission = mission[:mission.index("[[waypoints]]")]
+    mission = mission.replace("crane_lab", (MODELS / "crane_lab").as_posix())
+    files = {
+        "m.toml": f'waypoints = "plan.csv"\n{mission}', "plan.csv": "x,y,z\n0,0,-1\n1,1,-1\n",
+        "c.toml": (lab / "_mission.toml").read_text(encoding="utf-8"),
+        "run.csv": (lab / "wind.csv").read_text(encoding="utf-8"),
+        "s.toml": SCENARIO.replace("MODELS", MODELS.as_posix()),
+        "s.csv": "time,bridge.position\n0,0\n9,0\n",
+        "crane.toml": (MODELS / "crane_lab.toml").read_text(encoding="utf-8"),
+    }
+    for name, text in files.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (tmp_path / "l.toml").hardlink_to(tmp_path / "c.toml")
+    done = called(*words, cwd=tmp_path)
+    assert done.returncode == 2
+    assert done.stderr.strip() == (
+        f"segfmu: {lost}: is read, and the results would be written over it; name another output"
+    )
+    assert all((tmp_path / n).read_text(encoding="utf-8") == text for n, text in files.items())
+
+
 def test_build_into_a_file_is_refused(tmp_path, monkeypatch, capsys) -> None:
     (tmp_path / "taken").write_text("x", encoding="utf-8")
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path / "taken"))

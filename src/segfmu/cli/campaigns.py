@@ -19,7 +19,13 @@ from rich.progress import (
 from rich.text import Text
 
 from segfmu.cli.console import console, tell
-from segfmu.validation.output import folder, require_file, require_folder, require_there
+from segfmu.validation.output import (
+    folder,
+    require_file,
+    require_folder,
+    require_kept,
+    require_there,
+)
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.campaign import Campaign
@@ -71,6 +77,7 @@ def campaign(
         require_folder(output, *CAMPAIGN_FILES, REPORT)
     if junit is not None:
         require_file(junit)
+        require_kept([file], [junit])
     task = load_campaign(file)
     # before the runs, which may take hours
     other = None if against is None else load_result(against)

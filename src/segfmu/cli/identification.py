@@ -10,7 +10,7 @@ import typer
 from segfmu.cli.console import console, tell
 from segfmu.cli.work import warn, watched
 from segfmu.errors import InputError
-from segfmu.validation.output import folder, require_folder, require_there
+from segfmu.validation.output import folder, require_folder, require_kept, require_there
 
 if TYPE_CHECKING:
     from segfmu.validation.identification.result import Identification
@@ -56,6 +56,9 @@ def identify(
     from segfmu.validation.plots.style import save
 
     require_folder(output, CRANE, PLOT, RESULTS)
+    require_kept(
+        [crane, validation, *logs], (Path(output) / name for name in (CRANE, PLOT, RESULTS))
+    )
     columns = {}
     for pair in column or []:
         name, equals, other = pair.partition("=")

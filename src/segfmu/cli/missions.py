@@ -15,12 +15,13 @@ from segfmu.planning import Trajectory, excursions
 from segfmu.planning.verify import Verification, verify
 from segfmu.validation.files.crane_parameters import models
 from segfmu.validation.files.mission import Mission
-from segfmu.validation.files.mission_file import load_mission
+from segfmu.validation.files.mission_file import files_of, load_mission
 from segfmu.validation.output import (
     about,
     folder,
     plan_samples,
     require_folder,
+    require_kept,
     require_there,
     stride,
 )
@@ -51,6 +52,7 @@ def plan(
     task = load_mission(mission)
     if output is not None:
         require_folder(output, *PLAN_FILES)
+        require_kept(files_of(mission), (Path(output) / name for name in PLAN_FILES))
     with about(mission), watched() as progress:
         trajectory = planned(task, progress)
         every = stride(task, trajectory.duration)
@@ -162,6 +164,8 @@ def simulate(
     from segfmu.validation.plots import save
 
     require_folder(output, *RUN_FILES)
+    read = [*files_of(mission), commands]
+    require_kept(read, (Path(output) / name for name in RUN_FILES))
     with on_stderr(), watched() as progress:
         run = runs.simulate(
             mission, step=step, commands=commands, output=output, progress=progress
@@ -193,6 +197,7 @@ def live(
     """Write a page on which the mission's crane is driven in a browser, without a network."""
     from segfmu.validation.live import page
 
+    require_kept(files_of(mission), [Path(output)])
     with watched() as progress:
         path = page.live(mission, output, progress=progress)
     tell(f"{path}  {path.stat().st_size / 1024:.0f} KiB; open it in a browser")

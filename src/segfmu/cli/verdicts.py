@@ -11,7 +11,13 @@ import typer
 from segfmu.cli.console import AsJson, console, print_document, tell
 from segfmu.cli.work import watched
 from segfmu.errors import InputError
-from segfmu.validation.output import folder, require_file, require_folder, require_there
+from segfmu.validation.output import (
+    folder,
+    require_file,
+    require_folder,
+    require_kept,
+    require_there,
+)
 
 if TYPE_CHECKING:
     from segfmu.validation.comparison import Excess
@@ -43,14 +49,26 @@ def validate(
     """
     from segfmu.validation import suites
     from segfmu.validation.documents.suite import suite_document
-    from segfmu.validation.suite_files import suite_table, write_junit, write_results
+    from segfmu.validation.files.scenario_file import find, load_scenario
+    from segfmu.validation.suite_files import (
+        files_of,
+        suite_table,
+        table_names,
+        write_junit,
+        write_results,
+    )
 
     if output is not None:
         require_folder(output, *SUITE_FILES)
     if junit is not None:
         require_file(junit)
+    scenarios = [load_scenario(path) for path in find(paths)]
+    names = [*SUITE_FILES, *table_names(scenarios)] if output is not None else []
+    written = [Path(output or "") / name for name in names] + ([junit] if junit else [])
+    for scenario in scenarios:
+        require_kept(files_of(scenario), written)
     with watched() as progress:
-        suite = suites.validate(paths, progress=progress)
+        suite = suites.validate(scenarios, progress=progress)
     # first what cannot fail for a full disk
     if not as_json:
         console.print(suite_table(suite.results))

@@ -67,6 +67,23 @@ def require_file(path: Path) -> None:
         raise InputError(f"{path}: cannot be written: {reason}")
 
 
+def require_kept(read: Iterable[str | Path | None], written: Iterable[Path]) -> None:
+    """Refuse to write over what is read.
+
+    Raises
+    ------
+    InputError
+        That names the first file that would be lost.
+    """
+    there = [path for path in read if path is not None and os.path.exists(path)]
+    for path in filter(os.path.exists, written):
+        lost = next((own for own in there if os.path.samefile(own, path)), None)
+        if lost is not None:
+            raise InputError(
+                f"{lost}: is read, and the results would be written over it; name another output"
+            )
+
+
 def require_there(paths: Iterable[Path]) -> None:
     """Refuse to go on, or to tell of files, where others have removed what was written.
 

@@ -13,6 +13,7 @@ from segfmu.cosim import write_csv
 from segfmu.cosim.result import replacing
 from segfmu.validation.documents.document import text
 from segfmu.validation.documents.suite import SuiteDocument, suite_document
+from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
 from segfmu.validation.scenario_result import Result
@@ -80,13 +81,24 @@ def _verdict(passed: bool, result: Result) -> str:
     return "[yellow]failed, as expected[/]" if result.right else "[red]failed[/]"
 
 
-def _tables(results: Sequence[Result]) -> list[str | None]:
-    """Names of tables, one for each result with a run."""
-    stems = [r.scenario.path.stem for r in results]
+def table_names(scenarios: Sequence[Scenario]) -> list[str]:
+    """Names of tables, one for each scenario."""
+    stems = [s.path.stem for s in scenarios]
     names = [s if stems.count(s) == 1 else f"{s}_{i}" for i, s in enumerate(stems, 1)]
-    return [
-        None if r.rows is None else f"{n}.csv" for n, r in zip(names, results, strict=True)
-    ]
+    return [f"{name}.csv" for name in names]
+
+
+def files_of(scenario: Scenario) -> list[str | Path | None]:
+    """The file of a scenario and those that it names."""
+    file = scenario.file
+    references = [c.reference for c in file.criteria]
+    return [scenario.path, *references, *(p.file for p in file.profiles)]
+
+
+def _tables(results: Sequence[Result]) -> list[str | None]:
+    """The same, one for each result with a run."""
+    names = table_names([r.scenario for r in results])
+    return [None if r.rows is None else n for n, r in zip(names, results, strict=True)]
 
 
 def _suite(root: xml.Element, result: Result) -> None:

@@ -133,6 +133,16 @@ def _with_files(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
+def files_of(mission: Path) -> list[Path]:
+    """The file of a mission and those that it names, if it can be read."""
+    try:
+        data = read(mission)
+    except InputError:
+        return [mission]
+    named = (data.get("crane"), data.get("waypoints"))
+    return [mission, *(mission.parent / name for name in named if isinstance(name, str))]
+
+
 def _named(mission: Path | None, key: str, name: str) -> Path:
     """A file that a mission names."""
     if not name.strip():
