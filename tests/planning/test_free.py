@@ -11,6 +11,7 @@ from scipy.optimize import minimize
 
 from segfmu import InfeasibleError, InputError, Limits, Waypoint, plan, verify
 from tests.campaign import soaked
+from tests.planning.routes import route
 
 LIMITS = Limits([1.0, 0.4], [1.0, 0.5], [1.0, 0.5], [10.0, 5.0])
 STAIRS = [[0.0, 0.0], [0.5, 0.2], [1.0, 0.5], [1.4, 0.8]]
@@ -117,6 +118,19 @@ def test_ramps_of_nanoseconds_do_not_matter(
     """A clock of seconds does not tell them: these two missions were refused as badly scaled."""
     mission = list(missions(place + 1, points, seed))[place]
     found = plan(mission.waypoints("free", "free"), mission.bounds, overshoot=0.0)
+    assert verify(found).passed
+
+
+@pytest.mark.parametrize(
+    ("smoothness", "seed"), [(4, 170), (4, 188), (5, 112), (5, 197), (6, 188), (6, 197)]
+)
+def test_ramps_of_microseconds_do_not_matter(smoothness: int, seed: int) -> None:
+    """States are chosen near a limit; with averaged profiles these were refused, as badly scaled.
+
+    A switching time that rounding tells apart was a jump of the highest derivative.
+    """
+    points = route(np.random.default_rng(seed))
+    found = plan(points, Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], 4.0), smoothness=smoothness)
     assert verify(found).passed
 
 

@@ -21,6 +21,7 @@ from segfmu import (
     verify,
 )
 from tests.campaign import campaign
+from tests.planning.routes import route
 
 LIMITS = Limits([1.0, 0.8, 0.5], [1.0, 0.8, 0.8], 4.0, 30.0)
 CRANE = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
@@ -41,22 +42,6 @@ def same_path(one: Trajectory, other: Trajectory) -> bool:
     return abs(one.duration - other.duration) <= 1e-12 * one.duration and np.allclose(
         one(times), other(times), rtol=0.0, atol=1e-11
     )
-
-
-def route(random: np.random.Generator) -> list[Waypoint]:
-    """Waypoints at rest, moving, free and with dwells."""
-    points = []
-    for place in np.cumsum(random.uniform(0.1, 0.6, (5, 3)), axis=0) - [0.0, 0.0, 4.0]:
-        kind = random.integers(4)
-        if kind == 0 or len(points) in (0, 4):
-            points.append(Waypoint(place))
-        elif kind == 1:
-            points.append(Waypoint(place, random.uniform(0.0, 0.3, 3)))
-        elif kind == 2:
-            points.append(Waypoint(place, "free", "free"))
-        else:
-            points.append(Waypoint(place, dwell=random.uniform(0.1, 1.0)))
-    return points
 
 
 @pytest.mark.parametrize("options", OPTIONS)

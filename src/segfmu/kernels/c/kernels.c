@@ -29794,6 +29794,9 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
 {
     int64_t a;
     int64_t b;
+    double total;
+    int64_t i;
+    double same;
     double t;
     double t_a;
     double t_b;
@@ -29802,6 +29805,12 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
     double step;
     a = timing.shape[INT64_C(0)] - INT64_C(810);
     b = middle;
+    total = 0.0;
+    for (i = a; i < middle; i += INT64_C(1))
+    {
+        total = total + (*cspan_at(&timing, i, INT64_C(1)));
+    }
+    same = 1e-15 * total;
     t = now;
     t_a = 0.0;
     t_b = 0.0;
@@ -29813,18 +29822,26 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
         rest_a = (*cspan_at(&timing, a, INT64_C(1))) - t_a;
         rest_b = (*cspan_at(&timing, b, INT64_C(1))) - t_b;
         step = span_min(rest_a, rest_b);
+        if (fabs(rest_a - rest_b) <= same)
+        {
+            step = rest_a;
+            if ((*cspan_at(&timing, b, INT64_C(1))) < (*cspan_at(&timing, a, INT64_C(1))))
+            {
+                step = rest_b;
+            }
+        }
         (*cspan_at(&timing, row, INT64_C(0))) = t;
         (*cspan_at(&timing, row, INT64_C(1))) = step;
         t = t + step;
         t_a = t_a + step;
         t_b = t_b + step;
         row = row + INT64_C(1);
-        if (rest_a <= step)
+        if (rest_a <= step + same)
         {
             a = a + INT64_C(1);
             t_a = 0.0;
         }
-        if (rest_b <= step)
+        if (rest_b <= step + same)
         {
             b = b + INT64_C(1);
             t_b = 0.0;

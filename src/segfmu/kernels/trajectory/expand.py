@@ -51,6 +51,12 @@ def merge_pieces(
     """
     a = timing.shape[0] - Spare.ROWS
     b = middle
+    total = 0.0
+    for i in range(a, middle):
+        total = total + timing[i, Timing.LENGTH]
+    # what only rounding tells apart is one switching time: so much of a piece of nanoseconds is a
+    # jump of its highest derivative
+    same = 1e-15 * total
     t = now
     t_a = 0.0
     t_b = 0.0
@@ -61,16 +67,20 @@ def merge_pieces(
         rest_a = timing[a, Timing.LENGTH] - t_a
         rest_b = timing[b, Timing.LENGTH] - t_b
         step = min(rest_a, rest_b)
+        if abs(rest_a - rest_b) <= same:
+            step = rest_a
+            if timing[b, Timing.LENGTH] < timing[a, Timing.LENGTH]:
+                step = rest_b
         timing[row, Timing.START] = t
         timing[row, Timing.LENGTH] = step
         t = t + step
         t_a = t_a + step
         t_b = t_b + step
         row = row + 1
-        if rest_a <= step:
+        if rest_a <= step + same:
             a = a + 1
             t_a = 0.0
-        if rest_b <= step:
+        if rest_b <= step + same:
             b = b + 1
             t_b = 0.0
     return row
