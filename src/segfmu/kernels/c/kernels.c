@@ -701,6 +701,8 @@ static void mirror_problem(array_double_1d problem);
 static void mirror_search(array_double_1d problem, array_double_1d axis);
 static void reverse_search(array_double_1d problem, array_double_1d axis);
 static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d problem, array_double_1d axis);
+static void turn_back(int64_t mirrored, int64_t turned, array_double_1d problem, array_double_1d axis);
+static void turn_phases(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases);
 static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing);
 static bool has_pace(array_double_1d passing);
 static double residual_norm(int64_t count, array_double_1d residual);
@@ -927,6 +929,7 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
 static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
@@ -22462,20 +22465,37 @@ static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d prob
     (*result_1) = turned;
     return 0;
 }
+static void turn_back(int64_t mirrored, int64_t turned, array_double_1d problem, array_double_1d axis)
+{
+    if (turned > INT64_C(0))
+    {
+        reverse_search(problem, axis);
+    }
+    if (mirrored > INT64_C(0))
+    {
+        mirror_search(problem, axis);
+    }
+}
+static void turn_phases(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases)
+{
+    if (turned > INT64_C(0))
+    {
+        reverse_phases(phases, INT64_C(0), count);
+    }
+    if (mirrored > INT64_C(0))
+    {
+        mirror_phases(phases, count);
+    }
+}
 static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing)
 {
     (*cspan_at(&passing, INT64_C(8))) = mirrored;
     if (turned > INT64_C(0))
     {
         (*cspan_at(&passing, INT64_C(7))) = 1.0 - (*cspan_at(&passing, INT64_C(7)));
-        reverse_search(problem, axis);
-        reverse_phases(phases, INT64_C(0), span_max_int(count, INT64_C(0)));
     }
-    if (mirrored > INT64_C(0))
-    {
-        mirror_search(problem, axis);
-        mirror_phases(phases, span_max_int(count, INT64_C(0)));
-    }
+    turn_back(mirrored, turned, problem, axis);
+    turn_phases(mirrored, turned, span_max_int(count, INT64_C(0)), phases);
     if ((turned > INT64_C(0)) && (count == -INT64_C(1)))
     {
         return -INT64_C(2);
@@ -28923,13 +28943,9 @@ static double between_extremes(array_double_1d axis, array_double_2d cell, array
     result = nearest_weight(problem, axis, span_row(&work, INT64_C(58)));
     return result;
 }
-double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
+static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work)
 {
-    array_double_1d problem;
     double weight;
-    problem = span_row(&work, INT64_C(59));
-    boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
-    (*cspan_at(&problem, INT64_C(5))) = target;
     weight = timed_smoothly(0, axis, cell, work);
     if (weight >= 0.0)
     {
@@ -28955,6 +28971,37 @@ double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d
     if (weight < 0.0)
     {
         weight = timed_smoothly(1, axis, cell, work);
+    }
+    return weight;
+}
+double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work)
+{
+    array_double_1d problem;
+    int64_t mirrored;
+    int64_t turned;
+    array_double_1d nearest;
+    int64_t below;
+    int64_t above;
+    double weight;
+    problem = span_row(&work, INT64_C(59));
+    boundary_problem(span_row(&cell, INT64_C(66)), axis, problem);
+    (*cspan_at(&problem, INT64_C(5))) = target;
+    orient(&mirrored, &turned, problem, axis);
+    weight = timed_forwards(axis, cell, work);
+    if (weight < 0.0)
+    {
+        turned = INT64_C(1) - turned;
+        reverse_search(problem, axis);
+        weight = timed_forwards(axis, cell, work);
+    }
+    turn_back(mirrored, turned, problem, axis);
+    if (weight >= 0.0)
+    {
+        nearest = span_row(&work, INT64_C(58));
+        below = (int64_t)((*cspan_at(&nearest, INT64_C(0))));
+        above = (int64_t)((*cspan_at(&nearest, INT64_C(2))));
+        turn_phases(mirrored, turned, below, span_rows(&cell, INT64_C(0), INT64_C(33)));
+        turn_phases(mirrored, turned, above, span_rows(&cell, INT64_C(33), INT64_C(66)));
     }
     return weight;
 }

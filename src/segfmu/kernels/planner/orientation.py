@@ -70,6 +70,22 @@ def orient(problem: 'float[:]', axis: 'float[:]') -> 'tuple[int, int]':
     return mirrored, turned
 
 
+def turn_back(mirrored: int, turned: int, problem: 'float[:]', axis: 'float[:]') -> None:
+    """Write a problem and its limits as they were asked for; mirrored, turned: as of `orient`."""
+    if turned > 0:
+        reverse_search(problem, axis)
+    if mirrored > 0:
+        mirror_search(problem, axis)
+
+
+def turn_phases(mirrored: int, turned: int, count: int, phases: 'float[:,:]') -> None:
+    """Write the first phases of a motion, `count`, as the problem was asked for."""
+    if turned > 0:
+        reverse_phases(phases, 0, count)
+    if mirrored > 0:
+        mirror_phases(phases, count)
+
+
 def as_asked(
     mirrored: int, turned: int, count: int, phases: 'float[:,:]', problem: 'float[:]',
     axis: 'float[:]', passing: 'float[:]',
@@ -81,11 +97,8 @@ def as_asked(
     passing[Passing.MIRRORED] = mirrored
     if turned > 0:
         passing[Passing.REVERSED] = 1.0 - passing[Passing.REVERSED]
-        reverse_search(problem, axis)
-        reverse_phases(phases, 0, max(count, 0))
-    if mirrored > 0:
-        mirror_search(problem, axis)
-        mirror_phases(phases, max(count, 0))
+    turn_back(mirrored, turned, problem, axis)
+    turn_phases(mirrored, turned, max(count, 0), phases)
     if turned > 0 and count == PlanStatus.START_BRAKING:
         return PlanStatus.END_BRAKING
     if turned > 0 and count == PlanStatus.END_BRAKING:

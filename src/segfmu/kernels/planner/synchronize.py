@@ -29,6 +29,7 @@ from segfmu.kernels.planner.enclose import (
 )
 from segfmu.kernels.planner.extremes import timed_extremes
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
+from segfmu.kernels.planner.orientation import orient, reverse_search, turn_back, turn_phases
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.passing import slower_form
 from segfmu.kernels.planner.phases import (
@@ -184,6 +185,25 @@ def timed_profile(
     problem = work[PlanWork.PROBLEM, :]
     boundary_problem(cell[Cell.PROBLEM, :], axis, problem)
     problem[Problem.DURATION] = target
+    mirrored, turned = orient(problem, axis)
+    weight = timed_forwards(axis, cell, work)
+    if weight < 0.0:
+        # the other direction may find what this one does not
+        turned = 1 - turned
+        reverse_search(problem, axis)
+        weight = timed_forwards(axis, cell, work)
+    turn_back(mirrored, turned, problem, axis)
+    if weight >= 0.0:
+        nearest = work[PlanWork.NEAREST, :]
+        below = int(nearest[Nearest.BELOW_COUNT])
+        above = int(nearest[Nearest.ABOVE_COUNT])
+        turn_phases(mirrored, turned, below, cell[Cell.BELOW:Cell.ABOVE, :])
+        turn_phases(mirrored, turned, above, cell[Cell.ABOVE:Cell.PROBLEM, :])
+    return weight
+
+
+def timed_forwards(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """`timed_profile` of the row PROBLEM, in the direction that this has."""
     weight = timed_smoothly(False, axis, cell, work)
     if weight >= 0.0:
         return weight
