@@ -258,6 +258,18 @@ def test_what_only_slow_plans_keep_ends_at_the_obstacle_too() -> None:
     assert operator.load[0, 1] == pytest.approx(30.0 + 1.2 + 0.5, abs=1e-6)
 
 
+@pytest.mark.parametrize("gap", [0.0, 1e-10, 1e-6, 1e-4, 1e-2])
+def test_other_axes_go_on_beside_an_obstacle_that_the_rope_leans_over(gap: float) -> None:
+    box = Obstacle("box", [0.3, -0.5, -0.9], [0.6, 0.5, -0.6])
+    operator = Operator(
+        LAB.crane, LAB.limits, [0.3 - gap, 0.0, -0.8], bounds=LAB.bounds,
+        clearance=Clearance([box], minimum=[-1.0, -1.0, -0.9], maximum=[1.0, 1.0, -0.2]),
+    )
+    operator.command("velocity", velocity=[0.3, 0.2, 0.0])
+    follow(operator, 2.0)
+    assert operator.load[0, 1] > 0.2
+
+
 def test_a_load_beside_an_obstacle_rises_at_full_speed_and_goes_on_above() -> None:
     operator = LAB.operator()
     operator.command("target", target=[0.18, 0.0, -0.8])

@@ -973,6 +973,7 @@ static void open_ways(array_double_2d operation, array_double_2d known);
 static bool are_ways_kept(array_double_2d operation);
 static void keep_ways(array_double_2d operation);
 static double depth_towards(int64_t axis, double low, double high, double place, array_double_2d operation);
+static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
@@ -30180,15 +30181,41 @@ static double depth_towards(int64_t axis, double low, double high, double place,
     now = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(0)));
     way = span_row(&operation, INT64_C(16) + axis);
     touch = 1e-09 * span_max(fabs(low), fabs(high));
-    if ((wish > 0.0) && (now <= low + touch) && ((*cspan_at(&way, INT64_C(1))) > low))
+    if ((wish > 0.0) && (now <= low + touch) && ((*cspan_at(&way, INT64_C(1))) > now))
     {
         return place - low;
     }
-    if ((wish < 0.0) && (now >= high - touch) && ((*cspan_at(&way, INT64_C(0))) < high))
+    if ((wish < 0.0) && (now >= high - touch) && ((*cspan_at(&way, INT64_C(0))) < now))
     {
         return high - place;
     }
     return 1e+300;
+}
+static void end_way(int64_t axis, double low, double high, array_double_2d operation)
+{
+    double now;
+    array_double_1d way;
+    double end;
+    now = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(0)));
+    way = span_row(&operation, INT64_C(16) + axis);
+    if ((*cspan_at(&operation, INT64_C(22), axis)) > 0.0)
+    {
+        end = low - end_rounding_of(low);
+        if ((*cspan_at(&way, INT64_C(1))) <= end)
+        {
+            end = now;
+        }
+        (*cspan_at(&way, INT64_C(1))) = end;
+    }
+    else
+    {
+        end = high + end_rounding_of(high);
+        if ((*cspan_at(&way, INT64_C(0))) >= end)
+        {
+            end = now;
+        }
+        (*cspan_at(&way, INT64_C(0))) = end;
+    }
 }
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
@@ -30202,7 +30229,6 @@ static bool end_before_obstacle(array_double_2d operation, array_double_2d known
     double least;
     int64_t axis;
     double depth;
-    array_double_1d way;
     fault = span_row(&work, INT64_C(80));
     box = span_row(&work, INT64_C(52));
     obstacle = INT64_C(9) + (int64_t)((*cspan_at(&fault, INT64_C(5))));
@@ -30231,15 +30257,7 @@ static bool end_before_obstacle(array_double_2d operation, array_double_2d known
     {
         return 0;
     }
-    way = span_row(&operation, INT64_C(16) + chosen);
-    if ((*cspan_at(&operation, INT64_C(22), chosen)) > 0.0)
-    {
-        (*cspan_at(&way, INT64_C(1))) = (*cspan_at(&box, low + chosen)) - end_rounding_of((*cspan_at(&box, low + chosen)));
-    }
-    else
-    {
-        (*cspan_at(&way, INT64_C(0))) = (*cspan_at(&box, high + chosen)) + end_rounding_of((*cspan_at(&box, high + chosen)));
-    }
+    end_way(chosen, (*cspan_at(&box, low + chosen)), (*cspan_at(&box, high + chosen)), operation);
     return 1;
 }
 static bool is_prolonged(array_double_2d operation)
@@ -30335,7 +30353,7 @@ static void note_taken(int64_t attempt, array_double_2d operation)
     retry = (*cspan_at(&command, INT64_C(0)));
     if (!is_stop(span_row(&operation, INT64_C(1))))
     {
-        retry = retry + 0.5 * (*cspan_at(&command, INT64_C(14)));
+        retry = retry + 0.499 * (*cspan_at(&command, INT64_C(14)));
     }
     (*cspan_at(&operation, INT64_C(4), INT64_C(4))) = retry;
 }

@@ -222,5 +222,6 @@ def note_taken(attempt: int, operation: 'float[:,:]') -> None:
     operation[Operation.PROGRESS, Progress.ATTEMPT] = attempt
     retry = command[Command.TIME]
     if not is_stop(operation[Operation.AIM, :]):
-        retry = retry + 0.5 * command[Command.HOLD]
+        # no multiple of usual steps: a clock that rounds otherwise would try at another one
+        retry = retry + 0.499 * command[Command.HOLD]
     operation[Operation.PROGRESS, Progress.RETRY] = retry

@@ -67,12 +67,27 @@ def end_before_obstacle(
             chosen = axis
     if chosen < 0:
         return False
-    way = operation[Operation.TRIED_WAYS + chosen, :]
-    if operation[Operation.WISH, chosen] > 0.0:
-        way[Way.HIGH] = box[low + chosen] - end_rounding_of(box[low + chosen])
-    else:
-        way[Way.LOW] = box[high + chosen] + end_rounding_of(box[high + chosen])
+    end_way(chosen, box[low + chosen], box[high + chosen], operation)
     return True
+
+
+def end_way(axis: int, low: float, high: float, operation: 'float[:,:]') -> None:
+    """End the way of an axis at the face ahead; where it ends there already, at once.
+
+    A rope that leans over the face while its load moves meets the obstacle all the same.
+    """
+    now = operation[Operation.NOW + axis, WaypointState.POSITION]
+    way = operation[Operation.TRIED_WAYS + axis, :]
+    if operation[Operation.WISH, axis] > 0.0:
+        end = low - end_rounding_of(low)
+        if way[Way.HIGH] <= end:
+            end = now
+        way[Way.HIGH] = end
+    else:
+        end = high + end_rounding_of(high)
+        if way[Way.LOW] >= end:
+            end = now
+        way[Way.LOW] = end
 
 
 def depth_towards(
@@ -80,16 +95,16 @@ def depth_towards(
 ) -> float:
     """How deep a place is behind the face that an axis moves to [m], NEVER: it need not come there.
 
-    low and high are faces of the obstacle. An axis along which the load is beside the obstacle, or
-    whose way ends before it, cannot keep away.
+    low and high are faces of the obstacle. An axis along which the load is beside the obstacle
+    cannot keep away, nor can one that does not move.
     """
     wish = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
     now = operation[Operation.NOW + axis, WaypointState.POSITION]
     way = operation[Operation.TRIED_WAYS + axis, :]
     # what is at a face may be behind it by rounding
     touch = 1e-9 * max(abs(low), abs(high))
-    if wish > 0.0 and now <= low + touch and way[Way.HIGH] > low:
+    if wish > 0.0 and now <= low + touch and way[Way.HIGH] > now:
         return place - low
-    if wish < 0.0 and now >= high - touch and way[Way.LOW] < high:
+    if wish < 0.0 and now >= high - touch and way[Way.LOW] < now:
         return high - place
     return NEVER
