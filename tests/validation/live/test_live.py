@@ -250,7 +250,7 @@ def test_a_plain_joystick_lets_it_swing(shown: Callable[[str], Page], name: str)
     page.keyboard.press("p")
     assert page.is_checked("#plain")
     page.keyboard.down("ArrowRight")
-    page.wait_for_function("page.driver.command.kind !== 'stop'")
+    page.wait_for_function("page.driver.command.kind === 'velocity'")
     # while the key is held: what is left after it depends on when it is released
     rows = recorded(page, RESTS[name])
     page.keyboard.up("ArrowRight")
