@@ -132,6 +132,13 @@ def test_the_workspace_is_kept_by_each_axis() -> None:
     assert trajectory(info.value.time)[0] == pytest.approx(0.95, abs=1e-8)
 
 
+def test_a_plan_that_lasts_no_time_keeps_the_workspace_too() -> None:
+    still = plan([Waypoint([0.0, 0.0, -0.5])] * 2, Limits(1.0, 1.0, 4.0, 20.0))
+    Clearance(minimum=[0.0, -1.0, -1.0]).require(still)
+    with pytest.raises(InfeasibleError, match="axis x leaves its range"):
+        Clearance(minimum=[0.1, -1.0, -1.0]).require(still)
+
+
 def test_excursions_are_those_of_samples() -> None:
     points = [OVER[0], Waypoint([0.9, 0.0, -1.0], [0.5, 0.0, 0.0]), Waypoint([0.0, 0.0, -1.5])]
     trajectory = plan(points, LIMITS)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NoReturn
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -75,6 +77,24 @@ def require_plan(
                 f"start: the plan uses {100.0 * use.use:.4g} % of the bound of the {use.name}; "
                 "plan it within the bounds"
             )
+
+
+def refuse_rest(
+    refused: str,
+    crane: Crane,
+    still: Trajectory,
+    bounds: ActuatorBounds,
+    clearance: Clearance,
+    friction: Friction,
+) -> NoReturn:
+    """Refuse to begin at rest where a plan stays that lasts no time, and tell what exceeds what."""
+    text = f"start: a load at rest there does not keep {refused}"
+    try:
+        require_plan(crane, still, bounds, clearance, friction)
+    except InfeasibleError as error:
+        reason = str(error).removeprefix("start: ")
+        raise InfeasibleError(f"{text}: {reason}") from error
+    raise InfeasibleError(f"{text}; move it, or widen that")
 
 
 def known_of(

@@ -19,6 +19,7 @@ from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE
 from segfmu.crane.operation import OperatedMotion
 from segfmu.crane.operation_start import (
     known_of,
+    refuse_rest,
     require_hanging,
     require_plan,
     resting,
@@ -44,6 +45,7 @@ from segfmu.kernels.planner.records import PlanOptions
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
+from segfmu.planning.planner import plan
 from segfmu.planning.request import checked_request, checked_smoothness
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
@@ -172,6 +174,9 @@ class Operator:
             self._motion.command[place : place + 3] = np.nan
         self._motion.command[Command.TRIES] = as_index("tries", tries, Tries.MOST, least=1)
         self._begin(start, smoothness)
+        if self.status != "taken":
+            still = plan([Waypoint(self.load[0])] * 2, limits, smoothness=smoothness)
+            refuse_rest(self.refused, crane, still, bounds, clearance, friction)
 
     def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
         """Begin with the plan; or at rest, where a stop shows whether that is allowed."""
@@ -192,11 +197,6 @@ class Operator:
         if not isinstance(start, Trajectory):
             self._motion.command[Command.MODE] = OperationMode.STOP
             self._motion.operate(0.0, 0.0)
-            if self.status != "taken":
-                raise InfeasibleError(
-                    f"start: a load at rest there does not keep {self.refused}; move it, or widen "
-                    "that"
-                )
         self._motion.command[Command.MODE] = OperationMode.MISSION
 
     def take_over(self, state: ArrayLike) -> None:

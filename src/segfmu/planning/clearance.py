@@ -258,9 +258,10 @@ class Clearance(Frozen):
                 continue
             allowed = within(trajectory, axis, low - touch, high + touch)
             beyond = outside(allowed, trajectory.duration)
-            if beyond.size == 0:
+            # a plan that lasts no time has no interval
+            if beyond.size == 0 and trajectory.duration > 0.0:
                 continue
-            begin = float(beyond[0, 0])
+            begin = float(beyond[0, 0]) if beyond.size > 0 else 0.0
             reached = [float(values[axis]) for values in trajectory.extrema(0)]
             value, bound = (reached[0], low) if reached[0] < low else (reached[1], high)
             n = told_apart(value, float(bound), 6)
