@@ -891,9 +891,9 @@ static void set_motion(array_double_2d operation, array_double_3d states);
 static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool reach_velocity(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool shrink_share(int64_t axis, bool last, array_double_2d operation);
 static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool reach_velocities(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -965,6 +965,7 @@ static void set_place(array_double_2d operation, array_double_3d states);
 static void set_ends(array_double_2d operation, array_double_3d states);
 static void set_options(array_double_2d known, array_double_2d work);
 static bool is_too_fast(array_double_2d operation, array_double_2d limits);
+static void end_ways_at_target(array_double_2d operation);
 static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
@@ -27856,19 +27857,6 @@ static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d
     result = lead_of(axis, INT64_C(5), INT64_C(3), span_rows(&operation, stopped, stopped + INT64_C(1)), span_rows(&limits, axis, axis + INT64_C(1)), span_rows(&operation, lower, lower + INT64_C(1)), timing, coefficients, offsets, states, lead);
     return result;
 }
-static bool reach_velocities(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
-{
-    int64_t axis;
-    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        if (!reach_velocity(axis, operation, limits, timing, coefficients, offsets, states, lead))
-        {
-            return 0;
-        }
-    }
-    return 1;
-}
 static bool shrink_share(int64_t axis, bool last, array_double_2d operation)
 {
     double left;
@@ -27918,12 +27906,11 @@ static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d t
     }
     return 0;
 }
-static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+static bool reach_velocities(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
     int64_t tries;
     int64_t axis;
     int64_t i;
-    bool result;
     set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
     tries = INT64_C(5);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
@@ -27947,6 +27934,15 @@ static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d 
                 break;
             }
         }
+    }
+    return 1;
+}
+static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
+{
+    bool result;
+    if (!reach_velocities(slow, operation, limits, timing, coefficients, offsets, states, lead))
+    {
+        return 0;
     }
     hold_shares(operation);
     result = join_held(operation, timing, coefficients, offsets);
@@ -30049,6 +30045,18 @@ static bool is_too_fast(array_double_2d operation, array_double_2d limits)
     }
     return faster;
 }
+static void end_ways_at_target(array_double_2d operation)
+{
+    int64_t axis;
+    int64_t i;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+        {
+            (*cspan_at(&operation, INT64_C(16) + axis, i)) = (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis));
+        }
+    }
+}
 static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
 {
     array_double_1d options;
@@ -30104,7 +30112,8 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     if (is_too_fast(operation, span_matrix(&limits, INT64_C(1))))
     {
         set_lower_of(INT64_C(0), operation, limits, known);
-        found = reach_velocities(operation, span_matrix(&limits, INT64_C(0)), timing, coefficients, offsets, states, lead);
+        end_ways_at_target(operation);
+        found = reach_velocities(0, operation, span_matrix(&limits, INT64_C(0)), timing, coefficients, offsets, states, lead);
         set_lower_of(INT64_C(1), operation, limits, known);
     }
     else

@@ -11,6 +11,7 @@ from segfmu.kernels.operation.records import (
     OperationRows,
     OperationWork,
     Slot,
+    Way,
 )
 from segfmu.kernels.operation.velocity import (
     lead_between,
@@ -67,14 +68,16 @@ def seek_target(
 ) -> bool:
     """Try a plan to the target AIM in the slot TRIED; False if there is none.
 
-    limits as those of `operate`. A load that is faster than they permit slows down to them first.
+    limits as those of `operate`. A load that is faster than they permit slows down to them first,
+    or farther, so that it can stop before the target: else it would have to come back.
     """
     set_options(known, work)
     found = False
     if is_too_fast(operation, limits[1, :, :]):
         set_lower_of(0, operation, limits, known)
+        end_ways_at_target(operation)
         found = reach_velocities(
-            operation, limits[0, :, :], timing, coefficients, offsets, states, lead
+            False, operation, limits[0, :, :], timing, coefficients, offsets, states, lead
         )
         set_lower_of(1, operation, limits, known)
     else:
@@ -111,6 +114,13 @@ def is_too_fast(operation: 'float[:,:]', limits: 'float[:,:]') -> bool:
         if abs(velocity - slowed) > 1e-9 * limits[axis, 0]:
             faster = True
     return faster
+
+
+def end_ways_at_target(operation: 'float[:,:]') -> None:
+    """Let ways to be tried end at the target of AIM, whatever their direction."""
+    for axis in range(3):
+        for i in range(Way.SIZE):
+            operation[Operation.TRIED_WAYS + axis, i] = operation[Operation.AIM, Aim.VALUE + axis]
 
 
 def lead_to_target(

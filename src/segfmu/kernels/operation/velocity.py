@@ -131,20 +131,6 @@ def stop_behind(
     )
 
 
-def reach_velocities(
-    operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
-) -> bool:
-    """Find leads to the share of its velocity WISH that each axis gets."""
-    set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
-    for axis in range(3):
-        if not reach_velocity(
-            axis, operation, limits, timing, coefficients, offsets, states, lead
-        ):
-            return False
-    return True
-
-
 def shrink_share(axis: int, last: bool, operation: 'float[:,:]') -> bool:
     """Lower the share of an axis that does not stop before the end of its way; whether it is one.
 
@@ -187,15 +173,15 @@ def goes_back(
     return False
 
 
-def seek_velocity(
+def reach_velocities(
     slow: bool, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
 ) -> bool:
-    """Try a plan for the velocities WISH in the slot TRIED; False if there is none.
+    """Find leads to a share of the velocity WISH of each axis, and stops behind them.
 
     The row SHARE of `operation` tells which share of it each axis gets; it becomes less where the
     way, TRIED_WAYS, is too short. What is built up slowly must not turn back meanwhile, as it does
-    where a quick acceleration can only be left slowly.
+    where a quick acceleration can only be left slowly. False if there are none.
     """
     set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
     tries = 5
@@ -213,5 +199,17 @@ def seek_velocity(
                 return False
             if not shrink_share(axis, i == tries - 2, operation):
                 break
+    return True
+
+
+def seek_velocity(
+    slow: bool, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
+    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+) -> bool:
+    """Try a plan for the velocities WISH in the slot TRIED; False if there is none."""
+    if not reach_velocities(
+        slow, operation, limits, timing, coefficients, offsets, states, lead
+    ):
+        return False
     hold_shares(operation)
     return join_held(operation, timing, coefficients, offsets)
