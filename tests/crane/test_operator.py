@@ -375,6 +375,20 @@ def test_the_scale_acts_while_the_load_goes_to_a_target(sense: float) -> None:
     np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-12)
 
 
+def test_a_load_that_is_slowed_down_on_its_way_does_not_come_back() -> None:
+    turned = 0
+    for seed in range(40):
+        rng = np.random.default_rng(seed)
+        operator = Operator(LAB.crane, LAB.limits, LAB.start, bounds=LAB.bounds)
+        target = rng.uniform([-0.9, -0.9, -0.8], [0.9, 0.9, -0.25])
+        operator.command("target", target=target)
+        follow(operator, rng.uniform(0.3, 1.5), 0.02)
+        operator.command("target", scale=float(rng.choice([0.3, 0.1])))
+        velocity = follow(operator, 4.0, 0.02)[:, 1] * np.sign(target - LAB.start)
+        turned += bool(velocity.min() < -1e-3)
+    assert turned <= 1
+
+
 def test_pushes_move_the_load_by_a_distance_each() -> None:
     operator = free()
     operator.command("inching", velocity=[0.0, 0.0, 0.0], distance=0.01)

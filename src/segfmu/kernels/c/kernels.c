@@ -964,7 +964,8 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
 static void set_place(array_double_2d operation, array_double_3d states);
 static void set_ends(array_double_2d operation, array_double_3d states);
 static void set_options(array_double_2d known, array_double_2d work);
-static bool is_too_fast(array_double_2d operation, array_double_2d limits);
+static double coming_velocity(int64_t axis, array_double_2d operation, array_double_2d limits);
+static bool is_too_fast(array_double_2d operation, array_double_3d limits);
 static void end_ways_at_target(array_double_2d operation);
 static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
@@ -30025,7 +30026,34 @@ static void set_options(array_double_2d known, array_double_2d work)
         (*cspan_at(&work, INT64_C(84), i)) = 0.0;
     }
 }
-static bool is_too_fast(array_double_2d operation, array_double_2d limits)
+static double coming_velocity(int64_t axis, array_double_2d operation, array_double_2d limits)
+{
+    array_double_1d now;
+    double acceleration;
+    double time;
+    double before;
+    int64_t order;
+    double velocity;
+    now = span_row(&operation, INT64_C(19) + axis);
+    velocity = (*cspan_at(&now, INT64_C(1)));
+    acceleration = (*cspan_at(&now, INT64_C(2)));
+    if (velocity * acceleration <= 0.0)
+    {
+        return velocity;
+    }
+    time = 0.0;
+    before = fabs(acceleration);
+    for (order = INT64_C(2); order < span_min_int(limits.shape[INT64_C(1)], INT64_C(4)); order += INT64_C(1))
+    {
+        if ((*cspan_at(&limits, axis, order)) > 0.0)
+        {
+            time = time + before / (*cspan_at(&limits, axis, order));
+            before = (*cspan_at(&limits, axis, order));
+        }
+    }
+    return velocity + 0.5 * acceleration * time;
+}
+static bool is_too_fast(array_double_2d operation, array_double_3d limits)
 {
     int64_t axis;
     double velocity;
@@ -30034,11 +30062,11 @@ static bool is_too_fast(array_double_2d operation, array_double_2d limits)
     faster = 0;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        velocity = (*cspan_at(&operation, INT64_C(19) + axis, INT64_C(1)));
-        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))));
+        velocity = coming_velocity(axis, operation, span_matrix(&limits, INT64_C(0)));
+        slowed = limited_velocity(velocity, 1.0, (*cspan_at(&limits, INT64_C(1), axis, INT64_C(0))), (*cspan_at(&operation, INT64_C(23) + axis, INT64_C(0))));
         (*cspan_at(&operation, INT64_C(22), axis)) = slowed;
         (*cspan_at(&operation, INT64_C(12), axis)) = 1.0;
-        if (fabs(velocity - slowed) > 1e-09 * (*cspan_at(&limits, axis, INT64_C(0))))
+        if (fabs(velocity - slowed) > 1e-09 * (*cspan_at(&limits, INT64_C(1), axis, INT64_C(0))))
         {
             faster = 1;
         }
@@ -30109,7 +30137,7 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     int64_t i;
     set_options(known, work);
     found = 0;
-    if (is_too_fast(operation, span_matrix(&limits, INT64_C(1))))
+    if (is_too_fast(operation, limits))
     {
         set_lower_of(INT64_C(0), operation, limits, known);
         end_ways_at_target(operation);

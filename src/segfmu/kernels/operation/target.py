@@ -73,7 +73,7 @@ def seek_target(
     """
     set_options(known, work)
     found = False
-    if is_too_fast(operation, limits[1, :, :]):
+    if is_too_fast(operation, limits):
         set_lower_of(0, operation, limits, known)
         end_ways_at_target(operation)
         found = reach_velocities(
@@ -101,19 +101,39 @@ def seek_target(
     return True
 
 
-def is_too_fast(operation: 'float[:,:]', limits: 'float[:,:]') -> bool:
-    """Whether an axis is faster than its limits; WISH becomes the velocities within them."""
+def is_too_fast(operation: 'float[:,:]', limits: 'float[:,:,:]') -> bool:
+    """Whether an axis is faster than its limits, or will be; WISH becomes velocities within them.
+
+    limits as those of `operate`.
+    """
     faster = False
     for axis in range(3):
-        velocity = operation[Operation.NOW + axis, WaypointState.VELOCITY]
+        velocity = coming_velocity(axis, operation, limits[0, :, :])
         slowed = limited_velocity(
-            velocity, 1.0, limits[axis, 0], operation[Operation.LOWER + axis, Lower.VELOCITY]
+            velocity, 1.0, limits[1, axis, 0], operation[Operation.LOWER + axis, Lower.VELOCITY]
         )
         operation[Operation.WISH, axis] = slowed
         operation[Operation.SHARE, axis] = 1.0
-        if abs(velocity - slowed) > 1e-9 * limits[axis, 0]:
+        if abs(velocity - slowed) > 1e-9 * limits[1, axis, 0]:
             faster = True
     return faster
+
+
+def coming_velocity(axis: int, operation: 'float[:,:]', limits: 'float[:,:]') -> float:
+    """The velocity of an axis [m/s] after its acceleration, if that raises it, has been left."""
+    now = operation[Operation.NOW + axis, :]
+    velocity = now[WaypointState.VELOCITY]
+    acceleration = now[WaypointState.ACCELERATION]
+    if velocity * acceleration <= 0.0:
+        return velocity
+    # jerk, and where it is limited snap, take their time
+    time = 0.0
+    before = abs(acceleration)
+    for order in range(2, min(limits.shape[1], 4)):
+        if limits[axis, order] > 0.0:
+            time = time + before / limits[axis, order]
+            before = limits[axis, order]
+    return velocity + 0.5 * acceleration * time
 
 
 def end_ways_at_target(operation: 'float[:,:]') -> None:
