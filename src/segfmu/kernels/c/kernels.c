@@ -16877,7 +16877,7 @@ static void hold_shares(array_double_2d operation)
     array_double_1d held;
     double velocity;
     double delay;
-    double longest;
+    double room;
     double hold;
     command = span_row(&operation, INT64_C(0));
     until = (*cspan_at(&command, INT64_C(1))) + (*cspan_at(&command, INT64_C(14)));
@@ -16891,13 +16891,17 @@ static void hold_shares(array_double_2d operation)
         (*cspan_at(&held, INT64_C(2))) = 0.0;
         if (fabs(velocity) > 0.0)
         {
-            longest = span_max(room_left(axis, operation), 0.0) / fabs(velocity);
+            room = span_max(room_left(axis, operation), 0.0);
             hold = span_max(until - delay, 0.0);
-            if (hold < longest)
+            if (hold * fabs(velocity) < room)
             {
                 (*cspan_at(&held, INT64_C(2))) = 1.0;
             }
-            (*cspan_at(&held, INT64_C(1))) = delay + span_min(hold, longest);
+            else
+            {
+                hold = room / fabs(velocity);
+            }
+            (*cspan_at(&held, INT64_C(1))) = delay + hold;
         }
     }
 }

@@ -48,11 +48,14 @@ def hold_shares(operation: 'float[:,:]') -> None:
         held[HeldVelocity.UNTIL] = delay
         held[HeldVelocity.FREE] = 0.0
         if abs(velocity) > 0.0:
-            longest = max(room_left(axis, operation), 0.0) / abs(velocity)
+            room = max(room_left(axis, operation), 0.0)
             hold = max(until - delay, 0.0)
-            if hold < longest:
+            # in this order, as the room of what hardly moves has no end
+            if hold * abs(velocity) < room:
                 held[HeldVelocity.FREE] = 1.0
-            held[HeldVelocity.UNTIL] = delay + min(hold, longest)
+            else:
+                hold = room / abs(velocity)
+            held[HeldVelocity.UNTIL] = delay + hold
 
 
 def join_held(
