@@ -18,7 +18,7 @@ from benchmarks.recordings import (
     step_of,
 )
 
-from segfmu.crane.operator import MODES
+from segfmu.crane.operation_command import MODES
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from tests.compiler import require_native

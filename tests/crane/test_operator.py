@@ -632,6 +632,26 @@ def test_less_tries_find_the_same_plans_later() -> None:
     assert found[1] > 1
 
 
+@pytest.mark.parametrize("tries", [1, 3])
+def test_a_command_that_is_tried_once_more_keeps_its_status(tries: int) -> None:
+    # a corner of three boxes, before which the load rests and tries again and again
+    far = 2.0
+    boxes = [
+        Obstacle("east", [0.5, -far, -far], [0.8, far, 0.0]),
+        Obstacle("north", [-far, 0.5, -far], [far, 0.8, 0.0]),
+        Obstacle("floor", [-far, -far, -far], [far, far, -0.9]),
+    ]
+    operator = free(tries=tries, clearance=Clearance(obstacles=boxes))
+    operator.command("velocity", [0.3, 0.2, -0.1])
+    statuses = []
+    for _ in range(1000):
+        operator.step(0.01)
+        statuses.append(operator.status)
+    changes = [statuses[0]] + [b for a, b in pairwise(statuses) if a != b]
+    assert changes == ["taken", "reduced"]
+    np.testing.assert_allclose(operator.load[0], [0.5, 0.5, -0.9], atol=1e-6)
+
+
 @pytest.mark.parametrize("tries", [0, 10, 1.5, True])
 def test_tries_are_a_few(tries: float) -> None:
     with pytest.raises(InputError, match="tries must be"):

@@ -7,13 +7,14 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray, finite_vector
-from segfmu.crane.bounds import ActuatorBounds
+from segfmu.arrays import FloatArray, finite_vector, shown
+from segfmu.crane.bounds import ActuatorBounds, require_bounds
 from segfmu.crane.bounds import uses as bound_uses
 from segfmu.crane.contacts import resistance
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import Friction
 from segfmu.crane.limit_search import KEPT
+from segfmu.crane.operation_command import triple
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import filled
@@ -54,11 +55,24 @@ def resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, 
     return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
 
 
-def triple(name: str, value: ArrayLike, *, alike: bool = False) -> FloatArray:
-    vector = finite_vector(name, value)
-    if vector.size != 3 and not (alike and vector.size == 1):
-        raise InputError(f"{name} must have 3 values, got {vector.size}")
-    return np.broadcast_to(vector, (3,))
+def decelerations(value: ArrayLike) -> FloatArray:
+    """Those of the drives' brakes [m/s2], shape (3,)."""
+    given = triple("brakes", value, alike=True)
+    if not (given >= 0.0).all():
+        raise InputError(
+            f"brakes must be decelerations > 0 m/s2, or 0 for that of the drive, got {shown(value)}"
+        )
+    return given
+
+
+def require_site(limits: Limits, bounds: ActuatorBounds, clearance: Clearance) -> None:
+    """Refuse what are no limits, bounds or clearance."""
+    if not isinstance(limits, Limits):
+        raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
+    require_bounds("bounds", bounds)
+    if not isinstance(clearance, Clearance):
+        kind = type(clearance).__name__
+        raise InputError(f"clearance must be a segfmu.Clearance, got {kind}")
 
 
 def require_plan(

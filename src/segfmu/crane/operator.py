@@ -10,20 +10,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, as_index, finite_number, shown
-from segfmu.crane.bounds import DRIVES, ActuatorBounds, require_bounds
+from segfmu.arrays import FloatArray, finite_number, shown
+from segfmu.crane.bounds import DRIVES, ActuatorBounds
 from segfmu.crane.contacts import NONE
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import require_gantry
 from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE
 from segfmu.crane.operation import OperatedMotion
+from segfmu.crane.operation_command import HOLD, MODES, changed_command, first_command
 from segfmu.crane.operation_start import (
+    decelerations,
     known_of,
     refuse_rest,
     require_hanging,
     require_plan,
+    require_site,
     resting,
-    triple,
 )
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
@@ -50,14 +52,9 @@ from segfmu.planning.request import checked_request, checked_smoothness
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
-MODES = tuple(name.lower() for name in OperationMode.items())
 STATUSES = tuple(name.lower() for name in OperationStatus.items())
 UNBOUNDED = ActuatorBounds()
 FREE = Clearance()
-# how long a velocity is held beyond the next command [s]
-HOLD = 0.1
-# what a mode does not do without
-NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}
 
 
 @dataclass(frozen=True)
@@ -137,42 +134,25 @@ class Operator:
         friction: Friction = NONE,
         brakes: ArrayLike | None = None,
     ) -> None:
-        if isinstance(start, Trajectory):
-            smoothness = start.smoothness
-        smoothness = checked_smoothness(smoothness)
-        require_gantry(crane, start.axes if isinstance(start, Trajectory) else 3, smoothness)
-        if not isinstance(limits, Limits):
-            raise InputError(f"limits must be a segfmu.Limits, got {type(limits).__name__}")
-        require_bounds("bounds", bounds)
-        if not isinstance(clearance, Clearance):
-            kind = type(clearance).__name__
-            raise InputError(f"clearance must be a segfmu.Clearance, got {kind}")
-        if isinstance(start, Trajectory):
-            require_plan(crane, start, bounds, clearance, friction)
-        given = finite_number("hold", hold)
-        if given <= 0.0:
-            raise InputError(f"hold must be a time > 0 s, got {shown(hold)}")
+        planned = start if isinstance(start, Trajectory) else None
+        smoothness = checked_smoothness(smoothness if planned is None else planned.smoothness)
+        require_gantry(crane, 3 if planned is None else planned.axes, smoothness)
+        require_site(limits, bounds, clearance)
+        if planned is not None:
+            require_plan(crane, planned, bounds, clearance, friction)
+        command = first_command(hold, tries)
         known = known_of(crane, limits, bounds, clearance, friction)
         asked = checked_request(
             [Waypoint(np.zeros(3))] * 2, limits, smoothness, shape, synchronize, None, None, None,
         ).problem.options
         known[Known.OPTIONS, : PlanOptions.SIZE] = asked.vector
         if brakes is not None:
-            given_brakes = triple("brakes", brakes, alike=True)
-            if not (given_brakes >= 0.0).all():
-                raise InputError(
-                    "brakes must be decelerations > 0 m/s2, or 0 for that of the drive, got "
-                    f"{shown(brakes)}"
-                )
-            known[Known.BRAKES, : DriveBrakes.SIZE] = given_brakes
+            known[Known.BRAKES, : DriveBrakes.SIZE] = decelerations(brakes)
         self.crane = crane
         self._motion = OperatedMotion(limits.table(3, smoothness), known)
+        self._motion.command[: command.size] = command
         self._masses = np.array(crane.masses)
         self._time, self._lost = 0.0, 0.0
-        self._motion.command[Command.HOLD], self._motion.command[Command.SCALE] = given, 1.0
-        for _, place in NEEDED.values():
-            self._motion.command[place : place + 3] = np.nan
-        self._motion.command[Command.TRIES] = as_index("tries", tries, Tries.MOST, least=1)
         self._begin(start, smoothness)
         if self.status != "taken":
             still = plan([Waypoint(self.load[0])] * 2, limits, smoothness=smoothness)
@@ -272,34 +252,12 @@ class Operator:
             For invalid arguments, a target or a push without one or without a distance, and for an
             emergency stop of a drive whose acceleration has no bound. Nothing is changed then.
         """
-        if not isinstance(mode, str) or mode not in MODES:
-            raise InputError(f"mode must be one of {', '.join(MODES)}, got {shown(mode)}")
-        if MODES.index(mode) == OperationMode.EMERGENCY:
+        command = changed_command(
+            self._motion.command, mode, velocity=velocity, target=target, distance=distance,
+            scale=scale,
+        )
+        if command[Command.MODE] == OperationMode.EMERGENCY:
             self._require_brakes("an emergency stop")
-        # a command that is refused changes nothing
-        command = self._motion.command.copy()
-        if scale is not None:
-            given = finite_number("scale", scale)
-            if not 0.0 <= given <= 1.0:
-                raise InputError(f"scale must be from 0 to 1, got {shown(scale)}")
-            command[Command.SCALE] = given
-        for name, value, place in (
-            ("velocity", velocity, Command.VELOCITY), ("target", target, Command.TARGET),
-            ("distance", distance, Command.DISTANCE),
-        ):
-            if value is not None:
-                command[place : place + 3] = triple(name, value, alike=name == "distance")
-        if (command[Command.DISTANCE : Command.DISTANCE + 3] < 0.0).any():
-            raise InputError(
-                f"distance must be at least 0 m, got {shown(distance)}; the sign of the velocity "
-                "is the direction of a push"
-            )
-        if mode in NEEDED:
-            needed, place = NEEDED[mode]
-            if np.isnan(command[place : place + 3]).any():
-                raise InputError(f"mode {mode} needs a {needed} [m]: give it once, as {needed}=")
-        command[Command.MODE] = MODES.index(mode)
-        command[Command.GO] = float(mode == "target")
         self._motion.command[:] = command
 
     def step(self, duration: float) -> FloatArray:
@@ -432,8 +390,8 @@ class Operator:
 
         "taken", "reduced" (slower, or some axes at rest), or what no plan for it keeps: "limits",
         "rope", "workspace", "obstacle", "drives" or "travel", where an end stop is in the way; then
-        the plan before goes on, as it does if it is "pending": the tries of a step are used up, and
-        the next one tries others.
+        the plan before goes on, as it does if it is "pending": the command is new, the tries of a
+        step are used up, and the next one tries others.
         """
         return STATUSES[self._motion.status]
 

@@ -978,7 +978,10 @@ static double depth_towards(int64_t axis, double low, double high, double place,
 static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
+static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
+static bool is_passed_over(int64_t attempt, int64_t failed, array_double_2d operation);
+static void put_off(int64_t attempt, int64_t failed, array_double_2d operation);
 static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static bool is_stop(array_double_1d aim);
 static int64_t rank(int64_t attempt, array_double_2d operation);
@@ -30313,6 +30316,25 @@ static bool is_prolonged(array_double_2d operation)
     }
     return (attempt == INT64_C(0)) || (attempt == INT64_C(10));
 }
+static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known)
+{
+    array_double_1d progress;
+    int64_t following;
+    progress = span_row(&operation, INT64_C(4));
+    following = (int64_t)((*cspan_at(&progress, INT64_C(6))));
+    (*cspan_at(&progress, INT64_C(6))) = 0.0;
+    if (following > INT64_C(0))
+    {
+        (*result_0_0001) = following - INT64_C(1);
+        (*result_1_0001) = (int64_t)((*cspan_at(&progress, INT64_C(7))));
+        return 0;
+    }
+    open_ways(operation, known);
+    (*cspan_at(&progress, INT64_C(8))) = 0.0;
+    (*result_0_0001) = INT64_C(0);
+    (*result_1_0001) = INT64_C(0);
+    return 0;
+}
 static bool keeps_stopping(int64_t attempt, array_double_2d operation)
 {
     double stopping;
@@ -30328,6 +30350,27 @@ static bool keeps_stopping(int64_t attempt, array_double_2d operation)
         return result;
     }
     return 0;
+}
+static bool is_passed_over(int64_t attempt, int64_t failed, array_double_2d operation)
+{
+    bool result;
+    if (keeps_stopping(attempt, operation))
+    {
+        return 1;
+    }
+    result = !is_worth(attempt, failed, span_row(&operation, INT64_C(1)));
+    return result;
+}
+static void put_off(int64_t attempt, int64_t failed, array_double_2d operation)
+{
+    array_double_1d progress;
+    progress = span_row(&operation, INT64_C(4));
+    (*cspan_at(&progress, INT64_C(6))) = INT64_C(1) + attempt;
+    (*cspan_at(&progress, INT64_C(7))) = failed;
+    if (!is_aim(INT64_C(3), operation))
+    {
+        (*cspan_at(&progress, INT64_C(1))) = INT64_C(7);
+    }
 }
 static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
 {
@@ -30477,39 +30520,23 @@ static bool renew_holds(array_double_2d operation, array_double_2d limits, array
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
 {
     array_double_1d progress;
-    array_double_1d aim;
     int64_t attempt;
     int64_t failed;
     int64_t tries;
     int64_t status;
     progress = span_row(&operation, INT64_C(4));
-    aim = span_row(&operation, INT64_C(1));
-    attempt = INT64_C(0);
-    failed = INT64_C(0);
-    if ((*cspan_at(&progress, INT64_C(6))) > 0.0)
-    {
-        attempt = (int64_t)((*cspan_at(&progress, INT64_C(6)))) - INT64_C(1);
-        failed = (int64_t)((*cspan_at(&progress, INT64_C(7))));
-    }
-    else
-    {
-        open_ways(operation, known);
-        (*cspan_at(&progress, INT64_C(8))) = 0.0;
-    }
+    first_attempt(&attempt, &failed, operation, known);
     tries = INT64_C(0);
-    (*cspan_at(&progress, INT64_C(6))) = 0.0;
     while(attempt < INT64_C(9))
     {
-        if ((!is_worth(attempt, failed, aim)) || keeps_stopping(attempt, operation))
+        if (is_passed_over(attempt, failed, operation))
         {
             attempt = attempt + INT64_C(1);
             continue;
         }
         if ((tries > INT64_C(0)) && (!(tries < (*cspan_at(&operation, INT64_C(0), INT64_C(15))))))
         {
-            (*cspan_at(&progress, INT64_C(6))) = INT64_C(1) + attempt;
-            (*cspan_at(&progress, INT64_C(7))) = failed;
-            (*cspan_at(&progress, INT64_C(1))) = INT64_C(7);
+            put_off(attempt, failed, operation);
             return 0;
         }
         tries = tries + INT64_C(1);

@@ -52,8 +52,8 @@ class OperationStatus(Codes):
     """What became of the last command that needed a plan.
 
     TAKEN: as it is; REDUCED: slower, or with some axes at rest. The others tell why the old plan
-    goes on: what no plan for it keeps; PENDING: the tries of a step are used up, and the next one
-    tries others.
+    goes on: what no plan for it keeps; PENDING: the command is new, the tries of a step are used
+    up, and the next one tries others.
     """
 
     TAKEN = 0

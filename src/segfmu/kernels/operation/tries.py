@@ -41,25 +41,14 @@ def attempt_plans(
 ) -> bool:
     """Try plans for the aim in turn, until one is taken; as `operate`."""
     progress = operation[Operation.PROGRESS, :]
-    aim = operation[Operation.AIM, :]
-    attempt = int(Attempt.FULL)
-    failed = int(OperationStatus.TAKEN)
-    if progress[Progress.NEXT] > 0.0:
-        attempt = int(progress[Progress.NEXT]) - 1
-        failed = int(progress[Progress.FAILED])
-    else:
-        open_ways(operation, known)
-        progress[Progress.BLOCKS] = 0.0
+    attempt, failed = first_attempt(operation, known)
     tries = 0
-    progress[Progress.NEXT] = 0.0
     while attempt < Attempt.NONE:
-        if not is_worth(attempt, failed, aim) or keeps_stopping(attempt, operation):
+        if is_passed_over(attempt, failed, operation):
             attempt = attempt + 1
             continue
         if tries > 0 and not tries < operation[Operation.COMMAND, Command.TRIES]:
-            progress[Progress.NEXT] = 1 + attempt
-            progress[Progress.FAILED] = failed
-            progress[Progress.STATUS] = OperationStatus.PENDING
+            put_off(attempt, failed, operation)
             return False
         tries = tries + 1
         progress[Progress.ATTEMPTS] = progress[Progress.ATTEMPTS] + 1.0
@@ -95,6 +84,40 @@ def attempt_plans(
         progress[Progress.STATUS] = progress[Progress.REFUSED]
     note_taken(int(Attempt.NONE), operation)
     return False
+
+
+def first_attempt(operation: 'float[:,:]', known: 'float[:,:]') -> 'tuple[int, int]':
+    """The attempt to begin with, and why the one before failed: those that were put off, or none.
+
+    A command that is new begins with open ways.
+    """
+    progress = operation[Operation.PROGRESS, :]
+    following = int(progress[Progress.NEXT])
+    progress[Progress.NEXT] = 0.0
+    if following > 0:
+        return following - 1, int(progress[Progress.FAILED])
+    open_ways(operation, known)
+    progress[Progress.BLOCKS] = 0.0
+    return int(Attempt.FULL), int(OperationStatus.TAKEN)
+
+
+def is_passed_over(attempt: int, failed: int, operation: 'float[:,:]') -> bool:
+    """Whether an attempt is not tried, after one that failed by a status."""
+    if keeps_stopping(attempt, operation):
+        return True
+    return not is_worth(attempt, failed, operation[Operation.AIM, :])
+
+
+def put_off(attempt: int, failed: int, operation: 'float[:,:]') -> None:
+    """Let the next step begin with an attempt; failed: why the one before did.
+
+    A command that is tried once more has a status already.
+    """
+    progress = operation[Operation.PROGRESS, :]
+    progress[Progress.NEXT] = 1 + attempt
+    progress[Progress.FAILED] = failed
+    if not is_aim(Operation.TAKEN, operation):
+        progress[Progress.STATUS] = OperationStatus.PENDING
 
 
 def blocks(
