@@ -68,7 +68,7 @@ def write_run(folder: Path, campaign: Campaign, run: Run) -> Path:
     content.setdefault("name", f"{source.file.name}, run {run.number}")
     told = ", ".join(f"{n} {v}" for n, v in run.sample.items())
     lines = [f"# Run {run.number} of {source.file.name}{': ' if told else ''}{told}"]
-    lines += [f"{json.dumps(n)} = {_toml(v)}" for n, v in {"base": str(base), **content}.items()]
+    lines += [f"{_text(n)} = {_toml(v)}" for n, v in {"base": str(base), **content}.items()]
     path = folder / run_name(run.number)
     with replacing(path) as temporary:
         temporary.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -78,7 +78,14 @@ def write_run(folder: Path, campaign: Campaign, run: Run) -> Path:
 def _toml(value: Any) -> str:
     """A value of a TOML file on one line."""
     if isinstance(value, Mapping):
-        return f"{{ {', '.join(f'{json.dumps(n)} = {_toml(v)}' for n, v in value.items())} }}"
+        return f"{{ {', '.join(f'{_text(n)} = {_toml(v)}' for n, v in value.items())} }}"
     if isinstance(value, list | tuple):
         return f"[{', '.join(map(_toml, value))}]"
-    return json.dumps(value) if isinstance(value, bool | str) else repr(value)
+    if isinstance(value, str):
+        return _text(value)
+    return str(value).lower() if isinstance(value, bool) else repr(value)
+
+
+def _text(value: str) -> str:
+    # TOML has no pairs of surrogates, as JSON has them in place of characters beyond 16 bits
+    return json.dumps(value, ensure_ascii=False)
