@@ -99,7 +99,8 @@ def campaign(
 def _run(
     task: Campaign, output: str, scheduler: str | None, jobs: int | None
 ) -> CampaignResult:
-    from segfmu.validation.campaigns.run import require_names, run_campaign
+    from segfmu.validation.campaigns.names import require_names
+    from segfmu.validation.campaigns.run import run_campaign
 
     with console.status("checking names"):
         require_names(task)

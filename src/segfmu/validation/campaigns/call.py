@@ -8,9 +8,10 @@ from pathlib import Path
 from segfmu.arrays import as_index, shown
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.campaign import Campaign, load_campaign
+from segfmu.validation.campaigns.names import require_names
 from segfmu.validation.campaigns.replay import find_run, write_run
 from segfmu.validation.campaigns.result import CampaignResult
-from segfmu.validation.campaigns.run import require_names, require_packages, run_campaign
+from segfmu.validation.campaigns.run import require_packages, run_campaign
 from segfmu.validation.campaigns.store import CAMPAIGN_FILES
 from segfmu.validation.campaigns.summary_file import write_summary
 from segfmu.validation.output import file_path, folder, require_folder

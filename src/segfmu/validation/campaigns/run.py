@@ -4,21 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
-from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.batches import batches, probabilities
 from segfmu.validation.campaigns.campaign import Campaign, Run
-from segfmu.validation.campaigns.factors import changes
 from segfmu.validation.campaigns.rare import require_package
 from segfmu.validation.campaigns.result import CampaignResult, load_result
-from segfmu.validation.campaigns.sampling import levels
 from segfmu.validation.campaigns.store import FLUSH, Store, alone, write_probabilities
-from segfmu.validation.campaigns.worker import Order, Outcome, within
-from segfmu.validation.files.scenario_file import build_scenario
-from segfmu.validation.suite import Runner
+from segfmu.validation.campaigns.worker import Order, Outcome
 
 PACKAGES = ("dask", "distributed", "pyarrow")
 
@@ -108,34 +103,3 @@ def _kept(
             yield len(some)
     finally:
         store.flush()
-
-
-def require_names(campaign: Campaign) -> None:
-    """Refuse what no run could do: names and values that FMUs and criteria do not have.
-
-    It builds the FMUs and runs each scenario once.
-
-    Raises
-    ------
-    InputError
-        For the first one.
-    BuildError
-        If the FMUs cannot be built.
-    """
-    with Runner() as runner:
-        for source in campaign.source.scenarios:
-            timeout = campaign.source.file.timeout
-            if within(timeout, partial(runner.run, build_scenario(source))) is None:
-                raise InputError(
-                    f"{campaign.source.path}: timeout: {source.path} as it is does not end within "
-                    f"{timeout:g} s; the time to build its FMUs is a part of this"
-                )
-            for factor in campaign.factors:
-                for value in levels(factor, 2):
-                    own = changes(source, [factor], {factor.name: value})
-                    try:
-                        runner.check(build_scenario(source, own))
-                    except InputError as error:
-                        raise InputError(
-                            f"{campaign.source.path}: factor {factor.name} = {value}: {error}"
-                        ) from None
