@@ -9,6 +9,7 @@ from xml.etree import ElementTree as xml
 import pyarrow
 import pytest
 
+from segfmu.validation import suites
 from segfmu.validation.campaigns.campaign import load_campaign
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.store import Store, about
@@ -20,7 +21,8 @@ from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.requirements import of_results
 from segfmu.validation.scenario_result import Result
 from segfmu.validation.suite_files import write_junit
-from tests.validation.campaigns.files import SCENARIO, write
+from segfmu.validation.suites import Suite
+from tests.validation.campaigns.files import SCENARIO, called, write
 
 FOLLOWS = 'bound = 0.02\nrequirement = "REQ-1"\ntext = "the load is where it is expected"\n'
 ASKED = SCENARIO.replace("bound = 0.02\n", FOLLOWS).replace(
@@ -63,6 +65,15 @@ def test_junit_has_a_test_for_every_requirement(tmp_path: Path) -> None:
     failure, error = suite.find("*/failure"), suite.find("*/error")
     assert failure is not None and "margin -0.01" in str(failure.get("message"))
     assert error is not None and error.get("message") == "no evidence: no criterion names it"
+
+
+def test_commands_name_requirements_without_evidence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = result(tmp_path, 0.01, 0.02)
+    monkeypatch.setattr(suites, "validate", lambda *_, **__: Suite([found]))
+    done = called("validate", tmp_path / "s.toml")
+    assert done.stderr == "segfmu: requirement REQ-3: no evidence\n"
 
 
 def test_the_table_has_every_requirement_with_its_verdict(tmp_path: Path) -> None:

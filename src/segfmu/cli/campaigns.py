@@ -19,6 +19,7 @@ from rich.progress import (
 from rich.text import Text
 
 from segfmu.cli.console import console, tell
+from segfmu.cli.work import warn_unproved
 from segfmu.validation.output import (
     folder,
     require_file,
@@ -138,6 +139,7 @@ def _show(task: Campaign, result: CampaignResult) -> None:
         tell(f"and {len(errors) - MOST_SHOWN} more runs with an error")
     passed = sum(result.column("passed"))
     console.print(f"{passed} of {result.table.num_rows} runs passed", highlight=False)
+    warn_unproved(result.requirements)
     write_summary(result)
     files = write_worst(task, result)
     with console.status("running the worst cases again"):

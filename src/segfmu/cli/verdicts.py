@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from segfmu.cli.console import AsJson, console, print_document, tell
-from segfmu.cli.work import watched
+from segfmu.cli.work import warn_unproved, watched
 from segfmu.errors import InputError
 from segfmu.validation.output import (
     folder,
@@ -50,6 +50,7 @@ def validate(
     from segfmu.validation import suites
     from segfmu.validation.documents.suite import suite_document
     from segfmu.validation.files.scenario_file import find, load_scenario
+    from segfmu.validation.requirements import of_results
     from segfmu.validation.suite_files import (
         files_of,
         suite_table,
@@ -74,6 +75,7 @@ def validate(
         console.print(suite_table(suite.results))
         right = sum(result.right for result in suite)
         console.print(f"{right} of {len(suite)} scenarios as expected")
+    warn_unproved(of_results(suite.results))
     document = suite_document(suite.results)
     if output is not None:
         target = folder(output)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn
 
 from segfmu.validation.progress import Progress as Progressed
+
+if TYPE_CHECKING:
+    from segfmu.validation.requirements import Requirement
 
 
 @contextmanager
@@ -28,3 +32,10 @@ def warn(note: str) -> None:
     """One line on stderr; none if it is empty."""
     if note:
         print(f"segfmu: {note}", file=sys.stderr)
+
+
+def warn_unproved(requirements: Sequence[Requirement]) -> None:
+    """A line on stderr for every requirement without evidence, which fails no scenario."""
+    for one in requirements:
+        if one.holds is None:
+            warn(f"requirement {one.name}: {one.verdict}")
