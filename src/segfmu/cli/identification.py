@@ -92,6 +92,8 @@ def _show(found: Identification) -> None:
             console.print(predictions_table(f"{title}: {part.log}", part))
             for excess in part.outside:
                 tell(str(excess))
+    for gap in found.gaps:
+        warn(str(gap))
     for log in found.poor:
         warn(str(log))
     for signal in found.beyond:

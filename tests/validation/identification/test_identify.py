@@ -206,13 +206,14 @@ def bad(**changes: Any) -> dict[str, Any]:
 
 @pytest.mark.parametrize(("columns", "options", "text"), [
     (bad(**{"velocity.bridge": None}), {}, r"no column velocity\.bridge, a setpoint of drive"),
-    (bad(**{"measured.rope.length": None}), {}, r"no column measured\.rope\.length"),
+    (bad(**{"measured.rope.length": None}), {},
+     r"the sway's period follows.*: --column measured\.rope\.length=COLUMN"),
     (bad(**{"measured.sway.x.angle": np.full(30, 4.0)}), {}, "reaches 4; angles are in rad"),
     (bad(**{"measured.rope.length": np.full(30, np.nan)}), {}, "no number for measured"),
     (bad(**{"measured.rope.length": np.full(30, -1.0)}), {}, "mean length is -1 m"),
     (bad(time=np.zeros(30)), {}, "time does not increase"),
     (bad(time=np.arange(29.0)), {}, "as many numbers as time"),
-    (bad(time=None), {}, "no column time"),
+    (bad(time=None), {}, "no column time among .*: --column time=COLUMN"),
     ({n: v[:9] for n, v in bad().items()}, {}, "9 rows, at least 20"),
     (bad(), {"fit": ["gravity"]}, "gravity cannot be fitted; what can is bridge_mass"),
     (bad(), {"fit": []}, "name keys of the crane file, each once"),

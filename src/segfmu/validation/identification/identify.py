@@ -17,6 +17,7 @@ from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.identification.arguments import checked_columns, crane_of, logs_of
 from segfmu.validation.identification.fit import Problem
 from segfmu.validation.identification.found import Fit
+from segfmu.validation.identification.gaps import longest_gap, sections
 from segfmu.validation.identification.log import (
     FEWEST,
     OUTPUTS,
@@ -24,7 +25,6 @@ from segfmu.validation.identification.log import (
     Log,
     LogSource,
     read_log,
-    sections,
 )
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.prediction import Prediction, prediction, zeros_of
@@ -135,6 +135,7 @@ def identify(
     return Identification(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),
         tuple(later), found.converged,
+        tuple(gap for log in every if (gap := longest_gap(log)) is not None),
     )
 
 

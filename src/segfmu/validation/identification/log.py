@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
-from itertools import pairwise
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -101,12 +100,13 @@ def read_log(
         others: Iterable[str] = table
     else:
         name, columns = str(source), {own: UNIT.sub("", c) for own, c in columns.items()}
-        table = read_table(Path(source), {*own_names, *columns.values()}, columns)
         others = column_names(Path(source))
+        _require_time(name, columns.get("time", "time"), others)
+        table = read_table(Path(source), {*own_names, *columns.values()}, columns)
     table = _renamed(name, table, columns, own_names)
     _require_spelt(name, table, columns, own_names[1:], others)
     if table["time"].size < FEWEST:
-        raise InputError(f"{name}: {_rows(table['time'].size)}, at least {FEWEST} are needed")
+        raise InputError(f"{name}: {rows_told(table['time'].size)}, at least {FEWEST} are needed")
     # a velocity drive that was told nothing rests; a force is never nothing
     missing = [n for n in needed if n not in table]
     if missing and (drive == "force" or len(missing) == len(needed)):
@@ -115,7 +115,10 @@ def read_log(
             f"name the one that has it: --column {missing[0]}=COLUMN"
         )
     if ROPE not in table:
-        raise InputError(f"{name}: no column {ROPE}, from which the sway's period follows")
+        raise InputError(
+            f"{name}: no column {ROPE}, from which the sway's period follows; name the one that "
+            f"has it: --column {ROPE}=COLUMN"
+        )
     none = np.full(table["time"].size, np.nan)
     _require_angles(name, table)
     log = Log(
@@ -134,36 +137,8 @@ def _counted(values: Any) -> Any:
     return found.astype(np.float64) if found is not None and found.dtype == bool else values
 
 
-def sections(log: Log, period: float) -> list[Log]:
-    """The log, cut where no row is for longer than a period of the pendulum [s].
-
-    Nobody knows what the drives were told and how the load swung meanwhile: what follows begins
-    anew.
-
-    Raises
-    ------
-    InputError
-        For a section of too few rows.
-    """
-    cuts = np.flatnonzero(np.diff(log.times) > period) + 1
-    ends = [0, *cuts.tolist(), log.times.size]
-    if len(ends) == 2:
-        return [log]
-    found = []
-    for first, last in pairwise(ends):
-        part = log.rows(first, last)
-        begin, end = part.times[[0, -1]]
-        if last - first < FEWEST:
-            raise InputError(
-                f"{log.name}: {_rows(last - first)} from {begin:.6g} to {end:.6g} s, with gaps of "
-                f"more than the pendulum's period of {period:.3g} s beside them; at least {FEWEST} "
-                "are needed: leave them out, or fill the gaps"
-            )
-        found.append(replace(part, name=f"{log.name} from {begin:.6g} s"))
-    return found
-
-
-def _rows(count: int) -> str:
+def rows_told(count: int) -> str:
+    """A number of rows in words."""
     return f"{count} row{'s' * (count != 1)}"
 
 
@@ -210,9 +185,16 @@ def _require_spelt(
             )
 
 
+def _require_time(name: str, time: str, found: Iterable[str]) -> None:
+    if time not in found:
+        raise InputError(
+            f"{name}: no column {time} among {shown(', '.join(found))}; name the one that has the "
+            "times: --column time=COLUMN"
+        )
+
+
 def _require_times(table: Mapping[str, FloatArray], name: str, time: str) -> None:
-    if time not in table:
-        raise InputError(f"{name}: no column {time}")
+    _require_time(name, time, table)
     for own, values in table.items():
         if values.ndim != 1:
             raise InputError(f"{name}: {own} must be a list of numbers")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
+from segfmu.validation.identification.gaps import Gap
 from segfmu.validation.identification.prediction import (
     Beyond,
     Poor,
@@ -97,6 +98,9 @@ class Identification:
     converged : bool
         False if least squares made their most steps without an end: the crane then has what the
         model has not, or the crane file is far from it.
+    gaps : tuple of Gap
+        The longest time of each log without rows, shorter than a period of the pendulum, in which
+        setpoints changed.
     """
 
     source: Path | None
@@ -106,6 +110,7 @@ class Identification:
     fitted: tuple[Prediction, ...]
     predicted: tuple[Prediction, ...]
     converged: bool = True
+    gaps: tuple[Gap, ...] = ()
 
     def __getitem__(self, key: str) -> Estimate:
         for estimate in self.estimates:
