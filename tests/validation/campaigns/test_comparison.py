@@ -93,6 +93,9 @@ def test_what_cannot_be_compared_is_refused() -> None:
         one.against(result("two", [1, 3], [0.1, 0.2]))
     with pytest.raises(InputError, match="one has 2 runs, two 3"):
         one.against(result("two", [1, 2, 3], [0.1, 0.2, 0.3]))
+    folder: Any = "out/old"
+    with pytest.raises(InputError, match="other must be a CampaignResult, got 'out/old'"):
+        one.against(folder)
     with pytest.raises(InputError, match="two is a search"):
         one.against(result("two", [1, 2], [0.1, 0.2], searched=("c",)))
     with pytest.raises(InputError, match="no run has a margin in both"):

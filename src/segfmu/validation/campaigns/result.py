@@ -218,8 +218,10 @@ class CampaignResult:
         Raises
         ------
         InputError
-            If runs of the two do not have the same draws, or no criterion is of both.
+            If it is no such result, runs do not have the same draws, or no criterion is of both.
         """
+        if not isinstance(other, CampaignResult):
+            raise InputError(f"other must be a CampaignResult, got {shown(other)}")
         return compared(self, other)
 
     def __repr__(self) -> str:
