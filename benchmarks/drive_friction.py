@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from benchmarks.best_limits import GENERATIONS, shortest_over_limits
 from benchmarks.drive_oracle import largest_use
 from benchmarks.drive_problems import drive_problems
 from benchmarks.friction_program import Transfer, shortest_time
@@ -57,6 +58,8 @@ def measure(settings: Settings) -> Part:
             "linear program: HiGHS, force linear in each of 200 cells, no smoothness; the carriage "
             "does not turn, so friction is linear; without friction: the same for a crane that has "
             "none",
+            "best of its limits: the shortest plan of the method over all limits, by differential "
+            "evolution",
             "use: largest share of a bound among samples, by Taylor series in NumPy, with contacts "
             "followed from sample to sample",
         ),
@@ -79,23 +82,42 @@ def _transfer(case: Case, quick: bool) -> Record:
         durations, used = zip(*(_plan(case, s, coulomb, viscous) for s in SHAPES), strict=True)
         if share:
             rows |= {"optimum s": optimum, "use": max(used)}
+            rows |= {
+                f"{s} over best of its limits": d / _best(case, s, d, quick)
+                for s, d in zip(SHAPES, durations, strict=True)
+            }
         rows |= {f"{s} over it{name}": d / optimum for s, d in zip(SHAPES, durations, strict=True)}
     return rows
 
 
 def _plan(case: Case, shape: str, coulomb: float, viscous: float) -> tuple[float, float]:
     """Duration [s] and largest use of a plan."""
-    start, end = np.array([0.0, 0.0, -case.rope]), np.array([0.0, 0.0, -case.rope])
-    end[case.axis] = case.distance
+    waypoints, bounds, friction = _task(case, coulomb, viscous)
+    found = plan_actuated(
+        case.crane, waypoints, None, bounds, shape=shape, friction=friction
+    ).trajectory
+    return found.duration, largest_use(case.crane, found, bounds, SAMPLES, friction)
+
+
+def _best(case: Case, shape: str, duration: float, quick: bool) -> float:
+    """Duration [s] of the shortest plan over all limits, beside that of ours."""
+    waypoints, bounds, friction = _task(case, case.coulomb, case.viscous)
+    return shortest_over_limits(
+        case.crane, waypoints, case.axis, bounds, friction, shape, duration,
+        5 if quick else GENERATIONS,
+    )
+
+
+def _task(
+    case: Case, coulomb: float, viscous: float
+) -> tuple[list[Waypoint], ActuatorBounds, Friction]:
+    start = np.array([0.0, 0.0, -case.rope])
     here = np.arange(3) == case.axis
-    friction = Friction(tuple(viscous * here), tuple(coulomb * here))
     bounds = ActuatorBounds(
         force=np.where(here, case.force, np.inf), velocity=np.where(here, case.velocity, np.inf)
     )
-    found = plan_actuated(
-        case.crane, [Waypoint(start), Waypoint(end)], None, bounds, shape=shape, friction=friction
-    ).trajectory
-    return found.duration, largest_use(case.crane, found, bounds, SAMPLES, friction)
+    friction = Friction(tuple(viscous * here), tuple(coulomb * here))
+    return [Waypoint(start), Waypoint(start + case.distance * here)], bounds, friction
 
 
 def _random(count: int) -> Record:
