@@ -66,15 +66,15 @@ def swing(
         return np.append(state[5:], base + np.array(columns).T @ forces)
 
     state = np.array([0.0, 0.0, length, *start, 0.0, 0.0, 0.0, 0.0, 0.0])
-    found, h = [state], T / 2.0
-    for i in range(2 * round(duration / T)):
+    found, h = [state], T
+    for i in range(round(duration / T)):
         a = slope(i * h, state)
         b = slope(i * h + h / 2.0, state + h / 2.0 * a)
         c = slope(i * h + h / 2.0, state + h / 2.0 * b)
         d = slope(i * h + h, state + h * c)
         state = state + h / 6.0 * (a + 2.0 * b + 2.0 * c + d)
         found.append(state)
-    return np.array(found[::2])
+    return np.array(found)
 
 
 def estimates(
