@@ -157,6 +157,23 @@ def test_friction_too_stiff_to_integrate_is_named() -> None:
         stuck.step(0.01, HOLD)
 
 
+def test_many_steps_may_take_so_much_of_the_integration() -> None:
+    # a load on hardly any rope, which damping stops within microseconds
+    start = CRANE.hanging([0.0, 0.0, -1e-3])
+    start[3] = 0.05
+    feedback = design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    rig = Rig(friction=Friction(sway=0.1))
+    durations, setpoints = np.full(100, 0.1), np.zeros((100, HOLD.vector.size))
+
+    def follow(most: float) -> None:
+        stiff = Plant(CRANE, start, HOLD, feedback, driven=True, enabled=False, rig=rig)
+        stiff.follow(durations[:2], setpoints[:2], most=most)
+
+    follow(1e6)
+    with pytest.raises(SimulationError, match=r"at 0\.\d+ s: the integration steps"):
+        follow(100.0)
+
+
 def test_speed_of_the_load_is_the_rate_of_its_way() -> None:
     swinging = plant(sway=0.3, enabled=False)
     swinging.step(0.1, HOLD)

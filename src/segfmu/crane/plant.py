@@ -35,6 +35,7 @@ from segfmu.kernels.crane.records import (
     Report,
     State,
     Vector,
+    Work,
 )
 from segfmu.kernels.crane.records import Plant as Parameters
 from segfmu.kernels.rig.records import (
@@ -283,7 +284,9 @@ class Plant:
         """
         self._advance(duration, setpoints.vector, self._tables())
 
-    def follow(self, durations: FloatArray, setpoints: FloatArray) -> FloatArray:
+    def follow(
+        self, durations: FloatArray, setpoints: FloatArray, *, most: float = np.inf
+    ) -> FloatArray:
         """Take many steps: the signals of the sensors after each, shape (steps, 5).
 
         Parameters
@@ -292,17 +295,23 @@ class Plant:
             [s].
         setpoints : ndarray, shape (steps, 19)
             A kernel's `Setpoints` a row.
+        most : float
+            Steps of the integration for each of these steps, on average.
 
         Raises
         ------
         SimulationError
-            As `step` does.
+            As `step` does, and if the integration would take more steps: it is stiff then.
         """
         tables, signals = self._tables(), self._memory[Memory.SIGNALS, : Coordinates.SIZE]
+        integration, left = self._memory[Memory.WORK + Work.STEP], most * len(durations)
         found = np.empty((len(durations), Coordinates.SIZE))
         for row, duration, own in zip(found, durations.tolist(), setpoints, strict=True):
             self._advance(duration, own, tables)
             row[:] = signals
+            left -= duration / integration[0]
+            if left < 0.0:
+                self._end(PlantStatus.STEP_TOO_SMALL)
         return found
 
     def _advance(
@@ -317,6 +326,10 @@ class Plant:
             )
             if status == RigStatus.TICK:
                 self._sample()
+        self._end(status)
+
+    def _end(self, status: int) -> None:
+        """Note how a step has ended; raises if it failed."""
         self._status = status
         if status != PlantStatus.DONE:
             memory = self._memory
