@@ -44,7 +44,7 @@ def _one(task: tuple[Kind, int]) -> tuple[dict[str, bool], float, float]:
     """Which true values are covered, the fit of the unseen log's load, and the time it took."""
     before = perf_counter()
     found, truth = identified(*task)
-    covered = {e.key: e.low <= truth[e.key] <= e.high for e in found.estimates}
+    covered = {e.key: bool(e.low <= truth[e.key] <= e.high) for e in found.estimates}
     (unseen,) = found.predicted
     assert unseen.load is not None
     return covered, unseen.load, perf_counter() - before
