@@ -46,6 +46,14 @@ def test_a_column_that_the_table_has_not_is_told_with_one_that_may_be_meant() ->
             found.column(name)
 
 
+def test_a_run_that_there_is_not_is_told() -> None:
+    found = CampaignResult("n", Path(), ("load",), (), pyarrow.table({"run": [0], "load": [7.0]}))
+    assert found.values(0) == {"load": 7.0}
+    for run in (1, -1, None):
+        with pytest.raises(InputError, match="numbered from 0, there are 1"):
+            found.values(run)
+
+
 def test_a_table_that_lacks_a_column_is_no_table_of_runs(tmp_path: Path) -> None:
     """What it lacked was filled with nothing, and taken for runs."""
     path = tmp_path / "runs.parquet"

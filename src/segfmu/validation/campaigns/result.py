@@ -229,8 +229,11 @@ class CampaignResult:
         return f"<CampaignResult {self.name!r}: {passed} of {self.table.num_rows} runs passed>"
 
     def values(self, run: int) -> dict[str, Any]:
-        """Values of all factors of a run."""
-        row = self.table.slice(self.column("run").index(run), 1)
+        """Values of all factors of a run; an `InputError` if there is none of this number."""
+        runs = self.column("run")
+        if run not in runs:
+            raise InputError(f"no run {shown(run)}; runs are numbered from 0, there are {len(runs)}")
+        row = self.table.slice(runs.index(run), 1)
         return {name: row[name][0].as_py() for name in self.factors}
 
     def command(self, run: int) -> str:
