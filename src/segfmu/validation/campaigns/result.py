@@ -232,7 +232,8 @@ class CampaignResult:
         """Values of all factors of a run; an `InputError` if there is none of this number."""
         runs = self.column("run")
         if run not in runs:
-            raise InputError(f"no run {shown(run)}; runs are numbered from 0, there are {len(runs)}")
+            count = len(runs)
+            raise InputError(f"no run {shown(run)}; runs are numbered from 0, there are {count}")
         row = self.table.slice(runs.index(run), 1)
         return {name: row[name][0].as_py() for name in self.factors}
 
