@@ -25,6 +25,7 @@ PARTS: dict[str, tuple[str, tuple[str, ...]]] = {
     "n": ("campaign_rate", ("distributed", "pyarrow")),
     "mem": ("campaign_memory", ("distributed", "pyarrow")),
     "w": ("worst_cases", ("distributed", "pyarrow")),
+    "rare": ("rare_failures", ("distributed", "pyarrow", "openturns")),
     "v": ("identification", ()),
     "h": ("master_time", ()),
     "i": ("completeness", ()),
