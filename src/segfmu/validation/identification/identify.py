@@ -28,7 +28,7 @@ from segfmu.validation.identification.log import (
 )
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.prediction import Prediction, prediction, zeros_of
-from segfmu.validation.identification.quantities import Sizes, quantity, usual
+from segfmu.validation.identification.quantities import SMALL, Sizes, quantity, usual
 from segfmu.validation.identification.result import Estimate, Identification, Untold
 from segfmu.validation.identification.unknowns import Unknowns
 from segfmu.validation.progress import Progress, quiet
@@ -42,6 +42,8 @@ TUBE = 0.05
 PERIODS, PIECE = 1.0, 2.0
 # times a bound of the rope, beyond which a length is in another unit
 FAR = 10.0
+# share of the rows whose rope is too short to be believed
+RARE = 0.01
 
 
 def identify(
@@ -224,7 +226,8 @@ def _to_end(log: Log, pieces: Sequence[Log]) -> list[Log]:
 
 
 def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:
-    length = float(np.mean(np.concatenate([log.measured[:, OUTPUTS.index(ROPE)] for log in logs])))
+    ropes = np.concatenate([log.measured[:, OUTPUTS.index(ROPE)] for log in logs])
+    length = float(ropes.mean())
     if length <= 0.0:
         raise InputError(
             f"{logs[0].name}: the rope's mean length is {length:.4g} m; "
@@ -239,7 +242,8 @@ def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:
         )
     load = file.payload_mass
     masses = (file.bridge_mass + file.trolley_mass + load, file.trolley_mass + load, load)
-    return Sizes(masses, length, file.gravity)
+    shortest = max(float(np.quantile(ropes, RARE)), SMALL * length)
+    return Sizes(masses, length, shortest, file.gravity)
 
 
 def _estimates(unknowns: Unknowns, fit: Fit) -> tuple[Estimate, ...]:

@@ -18,6 +18,11 @@ SMALL = 0.1
 LEAST_LAG, LEAST_MASS = 1e-2, 1e-3
 # share of its scale from which on what cannot be negative is searched: at a bound there is no way
 FROM = 0.3
+# greatest zero of the rope as a share of its shortest length: what is farther away is another
+# column, and a load on hardly any rope turns so fast that runs do not end
+FARTHEST = 0.5
+# greatest damping ratio of the sway: of cranes it is a few per cent, from 1 on nothing sways
+MOST_DAMPED = 0.5
 
 
 @dataclass(frozen=True)
@@ -30,12 +35,15 @@ class Sizes:
         That bridge, trolley and hoist move [kg].
     length : float
         Of the rope [m].
+    shortest : float
+        Of the rope, but for rare rows [m].
     gravity : float
         [m/s2]
     """
 
     masses: tuple[float, float, float]
     length: float
+    shortest: float
     gravity: float
 
     @property
@@ -140,10 +148,21 @@ def quantity(key: str, crane: CraneFile, value: Callable[[str], Any], sizes: Siz
     scale = make(sizes, next((i for i, a in enumerate(DRIVES) if a in key.split(".")), 0))
     # friction that breaks away is not below the one that slides
     static = float(value(variable.replace(".coulomb", ".static"))) if "coulomb" in key else 0.0
-    low, high = least * scale, static or inf
-    start = min(max(before, low if low == -inf else FROM * scale), high)
+    most = _most(key, sizes)
+    low, high = max(least * scale, -most), min(static or inf, most)
+    start = min(max(before, low if least < 0.0 else FROM * scale), high)
     factor = degrees(1.0) if entry.key.unit == "deg" else 1.0
     return Quantity(key, variable, entry.key.unit, factor, before, start, scale, low, high)
+
+
+def _most(key: str, sizes: Sizes) -> float:
+    """The greatest size that a key has on cranes."""
+    if key == "sensors.rope.zero":
+        return FARTHEST * sizes.shortest
+    if key == "friction.sway.viscous":
+        period = sqrt(sizes.shortest / sizes.gravity)
+        return MOST_DAMPED * 2.0 * sizes.masses[2] * sizes.shortest**2 / period
+    return inf
 
 
 def _entries() -> dict[str, Entry]:
