@@ -17,7 +17,9 @@ from segfmu.errors import InputError
 from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.suite import Runner
+from segfmu.validation.suites import validate
 from tests.compiler import require_native
+from tests.cosim.probe import build as probe
 from tests.cosim.probe.build import build
 from tests.tables import columns
 
@@ -191,6 +193,26 @@ def test_a_third_fmu_that_fails_is_a_failed_scenario(runner: Runner, tmp_path: P
     (tmp_path / "s.toml").write_text(HEAD + CRITERION + failing, encoding="utf-8")
     result = runner.run(load_scenario(tmp_path / "s.toml"))
     assert "probe" in result.error and "told to fail" in result.error and not result.passed
+
+
+@pytest.mark.parametrize("place", ["step", "load"])
+def test_a_third_fmu_that_ends_its_process_is_a_failed_scenario(
+    place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    require_native()
+    if place == "load":
+        with (tmp_path / "fmi2.c").open("w") as file:
+            file.write('#include <stdlib.h>\n__attribute__((constructor)) static void end(void)'
+                       '{ abort(); }\n')
+            file.write((probe.HERE / "fmi2.c").read_text(encoding="utf-8"))
+        shutil.copy(probe.HERE / "probe.h", tmp_path)
+        monkeypatch.setattr(probe, "HERE", tmp_path)
+    dies = '"fail.time" = 1.0\n"fail.status" = 99\n'
+    for name, own in (("a", third(tmp_path, "wind.z") + dies), ("b", "")):
+        (tmp_path / f"{name}.toml").write_text(HEAD + CRITERION + own, encoding="utf-8")
+    failed, passed = validate([tmp_path / "a.toml", tmp_path / "b.toml"])
+    assert "an FMU ended its process: SIGABRT; beside ours it had probe (" in failed.error
+    assert not failed.passed and passed.passed
 
 
 def test_the_fixture_runs_a_scenario(tmp_path: Path) -> None:

@@ -17,19 +17,19 @@ import pytest
 
 from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.suite import Runner
+from segfmu.validation.suite_runs import Runs
 
 
 @pytest.fixture(scope="session")
-def scenario_runner() -> Iterator[Runner]:
+def scenario_runner() -> Iterator[Runs]:
     """Builds FMUs once in a session."""
-    with Runner() as runner:
-        yield runner
+    with Runs() as runs:
+        yield runs
 
 
 @pytest.fixture
 def run_scenario(
-    scenario_runner: Runner, request: pytest.FixtureRequest
+    scenario_runner: Runs, request: pytest.FixtureRequest
 ) -> Callable[[str | Path], Result]:
     """Runs a scenario file, whose name is relative to the file of the test."""
     return lambda path: scenario_runner.run(load_scenario(request.path.parent / path))

@@ -16,7 +16,7 @@ from segfmu.validation.frames import frame
 from segfmu.validation.monitor import Finding
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.suite import Runner
+from segfmu.validation.suite_runs import Runs
 
 if TYPE_CHECKING:
     import pandas
@@ -136,8 +136,8 @@ def validate(scenarios: Scenarios, *, progress: Progress = quiet) -> Suite:
     paths = [Path(entry) for entry in given if not isinstance(entry, Scenario)]
     loaded += [load_scenario(path) for path in find(paths)]
     results = []
-    with Runner() as runner:
+    with Runs() as runs:
         for i, scenario in enumerate(loaded):
             progress("running scenarios", i / len(loaded))
-            results.append(runner.run(scenario))
+            results.append(runs.run(scenario))
     return Suite(tuple(results))

@@ -21,7 +21,8 @@ from segfmu.fmu.standard.ls_ref import FOLDER, MANIFEST, read_experiments, read_
 from segfmu.validation.archives import build
 from segfmu.validation.references.archive import read_references
 from segfmu.validation.references.repeat import repeat
-from tests.compiler import require_native
+from tests.compiler import needs_native, require_native
+from tests.cosim.probe.build import build as build_probe
 from tests.fmu.pendulum.model import PENDULUM
 
 PAPER = Path(__file__).parents[3] / "models" / "paper.toml"
@@ -254,6 +255,23 @@ def test_a_run_that_fails_is_told(pendulum: Path, tmp_path: Path) -> None:
     short = foreign(TESTS, NEW.replace('stopTime="2"', 'stopTime="1"'))
     _, (one,) = repeat(archive(pendulum, tmp_path / "short.fmu", short))
     assert one.error.startswith("the result is from 0 to 1 s, the reference from 0 to 2 s")
+
+
+@needs_native
+def test_an_fmu_that_ends_its_process_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    dies = MOON.replace(
+        '<ssv:Parameter name="crane.gravity"><ssv:Real value="1.62" unit="m/s2"/></ssv:Parameter>',
+        '<ssv:Parameter name="fail.time"><ssv:Real value="1"/></ssv:Parameter>'
+        '<ssv:Parameter name="fail.status"><ssv:Integer value="99"/></ssv:Parameter>',
+    )
+    files = foreign(TESTS, NEW.replace('<Stimuli source="in.csv"/>', "")) | {
+        "moon.ssv": dies, "tests/moon.csv": "time,y\n0,0\n2,2\n",
+    }
+    path = archive(build_probe(tmp_path, 2), tmp_path / "dies.fmu", files)
+    assert compared(monkeypatch, path) == 1
+    assert "an FMU ended its process: SIGABRT" in capsys.readouterr().out
 
 
 def test_arguments_of_compare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch,

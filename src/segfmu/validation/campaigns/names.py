@@ -5,29 +5,19 @@ An FMU that ends its process ends that one alone; the runs tell which of them do
 
 from __future__ import annotations
 
-import pickle
-import signal
-import subprocess
-import sys
-import tempfile
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from functools import partial
-from pathlib import Path
 
 from segfmu.cosim.messages import on_stderr
 from segfmu.errors import InputError
-from segfmu.folders import work_folder
+from segfmu.validation.apart import Apart, Ended
 from segfmu.validation.campaigns.campaign import Campaign
 from segfmu.validation.campaigns.factors import changes
 from segfmu.validation.campaigns.sampling import levels
 from segfmu.validation.campaigns.worker import within
 from segfmu.validation.files.scenario_file import build_scenario
 from segfmu.validation.suite import Runner
-
-# in the folder of the process: what it checks, and the error that it found
-TASK, FOUND = "task", "found"
-# s; for the process to end its compilers when the command is stopped
-PATIENCE = 5.0
 
 
 def require_names(campaign: Campaign) -> None:
@@ -42,41 +32,13 @@ def require_names(campaign: Campaign) -> None:
     BuildError
         If the FMUs cannot be built.
     """
-    with work_folder() as folder:
-        (folder / TASK).write_bytes(pickle.dumps(campaign))
-        _perform(folder)
-        if (folder / FOUND).exists():
-            raise pickle.loads((folder / FOUND).read_bytes())
+    with on_stderr(), Apart(_checking) as check, suppress(Ended):
+        check(campaign)
 
 
-def _perform(folder: Path) -> None:
-    """Have a process check what the folder has; a signal of the terminal does not reach it."""
-    code = f"import sys; sys.path[:] = {sys.path!r}; from {__name__} import main; main()"
-    process = subprocess.Popen(
-        [sys.executable, "-c", code, str(folder)], start_new_session=True
-    )
-    try:
-        process.wait()
-    finally:
-        process.terminate()
-        with suppress(subprocess.TimeoutExpired):
-            process.wait(PATIENCE)
-        process.kill()
-        process.wait()
-
-
-def main() -> None:
-    """Check the campaign in the folder of the command line, and write the error there."""
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
-    tempfile.tempdir = sys.argv[1]
-    folder = Path(sys.argv[1])
-    try:
-        with on_stderr():
-            check_names(pickle.loads((folder / TASK).read_bytes()))
-    except Exception as error:
-        written = folder / f"{FOUND}.part"
-        written.write_bytes(pickle.dumps(error))
-        written.rename(folder / FOUND)
+@contextmanager
+def _checking() -> Iterator[Callable[[Campaign], None]]:
+    yield check_names
 
 
 def check_names(campaign: Campaign) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +11,7 @@ import numpy as np
 
 from segfmu.cosim.alone import run_alone
 from segfmu.errors import SegfmuError
+from segfmu.validation.apart import Apart
 from segfmu.validation.comparison import Excess, compare
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.references.archive import Case, References, read_references
@@ -65,13 +68,19 @@ def repeat(
     """
     references = read_references(path)
     found: list[Repetition] = []
-    for case in references.cases:
-        progress(f"repeating {case.name}", len(found) / len(references.cases))
-        try:
-            found.append(_repeated(path, case, tube_time, tube_value, relative))
-        except SegfmuError as error:
-            found.append(Repetition(case, error=str(error)))
+    with Apart(_repeating) as repeated:
+        for case in references.cases:
+            progress(f"repeating {case.name}", len(found) / len(references.cases))
+            try:
+                found.append(repeated(path, case, tube_time, tube_value, relative))
+            except SegfmuError as error:
+                found.append(Repetition(case, error=str(error)))
     return references, found
+
+
+@contextmanager
+def _repeating() -> Iterator[Callable[[Path, Case, float, float | None, bool], Repetition]]:
+    yield _repeated
 
 
 def _repeated(
