@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import segfmu
+from tests.validation.report.test_report import campaign
 
 MISSION = Path(__file__).parents[1] / "models" / "inteco.toml"
 class Table:
@@ -37,6 +38,8 @@ PLAN = segfmu.plan(POINTS, LIMITS)
 CRANE = segfmu.Crane(2.0, 1.0, 1.0)
 OPERATOR = segfmu.Operator(CRANE, LIMITS, [0.0, 0.0, -0.5])
 BOUNDS = segfmu.ActuatorBounds(force=[20.0, 20.0, 30.0])
+
+RESULT = campaign(20)
 
 
 @cache
@@ -98,6 +101,13 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
     "to_csv": (table, {"path": "run.csv"}),
     "build": (segfmu.build, {"mission": MISSION, "output": "fmus"}),
     "load_mission": (segfmu.load_mission, {"source": MISSION}),
+    "load_result": (segfmu.load_result, {"folder": "out"}),
+    "column": (RESULT.column, {"name": "run"}),
+    "worst": (RESULT.worst, {"criterion": "near its plan"}),
+    "values": (RESULT.values, {"run": 0}),
+    "command_of_run": (RESULT.command, {"run": RESULT.worst_runs[0]}),
+    "against": (RESULT.against, {"other": RESULT}),
+    "report_of_campaign": (RESULT.report, {"path": "report.html", "worst": None}),
     "validate": (segfmu.validate, {"scenarios": [MISSION]}),
 }
 

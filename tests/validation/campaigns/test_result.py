@@ -54,6 +54,18 @@ def test_a_run_that_there_is_not_is_told() -> None:
             found.values(run)
 
 
+def test_a_command_is_one_of_a_scenario_that_is_there(tmp_path: Path) -> None:
+    table = pyarrow.table({"run": [0, 1], "margin.c": [0.1, 0.2], "holds.c": [True, True]})
+    found = CampaignResult("n", tmp_path, (), ("c",), table)
+    assert found.command(0) == f"segfmu validate {tmp_path / 'run_0.toml'}"
+    with pytest.raises(InputError, match=r"run 1 is the worst of no .* --replay 1 writes"):
+        found.command(1)
+    (tmp_path / "run_1.toml").touch()
+    assert found.command(1) == f"segfmu validate {tmp_path / 'run_1.toml'}"
+    with pytest.raises(InputError, match="no run 2"):
+        found.command(2)
+
+
 def test_a_table_that_lacks_a_column_is_no_table_of_runs(tmp_path: Path) -> None:
     """What it lacked was filled with nothing, and taken for runs."""
     path = tmp_path / "runs.parquet"

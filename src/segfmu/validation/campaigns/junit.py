@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from xml.etree import ElementTree as xml
 
-from segfmu.validation.campaigns.result import CampaignResult, Summary
+from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.campaigns.tables import case
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.units import pretty

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import isnan
+from numbers import Integral
 from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from segfmu.validation.campaigns.rare import Found
 from segfmu.validation.campaigns.replay import run_name
 from segfmu.validation.campaigns.sensitivity import Sensitivity, sensitivities
 from segfmu.validation.campaigns.store import TABLE, about, read_probabilities, read_table
+from segfmu.validation.campaigns.summary import Summary, WorstCase
 from segfmu.validation.frames import frame
 from segfmu.validation.output import folder_path
 from segfmu.validation.requirements import Evidence, Requirement, gathered
@@ -29,58 +31,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from segfmu.validation.suites import Suite
-
-
-@dataclass(frozen=True)
-class Summary:
-    """A criterion in all runs.
-
-    Attributes
-    ----------
-    criterion : str
-    judged, held : int
-        Runs that came to a verdict, and those in which it holds.
-    worst : float or None
-        The least margin; None without a verdict.
-    run : int or None
-        Number of the run that has it.
-    fails : Probability, RareProbability or None
-        That it fails; None without a verdict, and of runs that were chosen otherwise than at random
-        or for this.
-    """
-
-    criterion: str
-    judged: int
-    held: int
-    worst: float | None
-    run: int | None
-    fails: Found | None = None
-
-    @property
-    def share(self) -> float:
-        """Of the runs with a verdict those in which it holds; 0 without any."""
-        return self.held / self.judged if self.judged else 0.0
-
-
-@dataclass(frozen=True)
-class WorstCase:
-    """The run with the least margin of a criterion.
-
-    Attributes
-    ----------
-    run : int
-    margin : float
-        In the unit of the signal.
-    factors : dict
-        Values of all factors by name.
-    command : str
-        That makes it again.
-    """
-
-    run: int
-    margin: float
-    factors: dict[str, Any]
-    command: str
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -189,8 +139,9 @@ class CampaignResult:
         InputError
             If there is no such criterion, or no run came to a verdict.
         """
-        if criterion not in self.criteria:
-            raise InputError(f"no criterion {criterion!r}; they are {', '.join(self.criteria)}")
+        if not isinstance(criterion, str) or criterion not in self.criteria:
+            known = ", ".join(self.criteria)
+            raise InputError(f"no criterion {shown(criterion)}; they are {known}")
         row = self._summary(criterion)
         if row.run is None or row.worst is None:
             raise InputError(f"{criterion}: no run came to a verdict")
@@ -231,20 +182,36 @@ class CampaignResult:
     def values(self, run: int) -> dict[str, Any]:
         """Values of all factors of a run; an `InputError` if there is none of this number."""
         runs = self.column("run")
-        if run not in runs:
+        if not isinstance(run, Integral) or run not in runs:
             count = len(runs)
             raise InputError(f"no run {shown(run)}; runs are numbered from 0, there are {count}")
         row = self.table.slice(runs.index(run), 1)
         return {name: row[name][0].as_py() for name in self.factors}
 
     def command(self, run: int) -> str:
-        """The command that makes one of the `worst_runs` again."""
-        return f"segfmu validate {quote(str(self.folder / run_name(run)))}"
+        """The command that makes one of the `worst_runs` again, or one that was written.
+
+        Raises
+        ------
+        InputError
+            If there is no such run, or its scenario was not written.
+        """
+        self.values(run)
+        file = self.folder / run_name(run)
+        if not file.exists() and run not in self.worst_runs:
+            raise InputError(
+                f"run {run} is the worst of no criterion and not written; segfmu campaign with "
+                f"--replay {run} writes it"
+            )
+        return f"segfmu validate {quote(str(file))}"
 
     def report(self, path: str | Path, worst: Suite | None = None) -> Path:
         """Write one HTML file that opens without a network; `worst` are runs it shows in full."""
         from segfmu.validation.report import campaign_page, write
+        from segfmu.validation.suites import Suite
 
+        if not isinstance(worst, Suite | None):
+            raise InputError(f"worst must be a Suite, as of segfmu.validate, got {shown(worst)}")
         return write(path, campaign_page(self, worst))
 
     def _summary(self, name: str) -> Summary:

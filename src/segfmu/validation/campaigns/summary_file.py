@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.cosim.result import replacing
-from segfmu.validation.campaigns.result import CampaignResult, Summary
+from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.store import SUMMARY
+from segfmu.validation.campaigns.summary import Summary
 
 
 def write_summary(result: CampaignResult) -> Path:

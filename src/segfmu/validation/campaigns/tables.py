@@ -8,7 +8,8 @@ from typing import Any
 from rich.markup import escape
 from rich.table import Table
 
-from segfmu.validation.campaigns.result import CampaignResult, Summary
+from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.units import pretty
 
 FAILS = "fails (95 %)"

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from segfmu.arrays import FloatArray
-from segfmu.validation.campaigns.result import CampaignResult, Summary
+from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
 from segfmu.validation.report.curves import digits
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table

@@ -1,0 +1,60 @@
+"""A criterion over all runs of a campaign, and the run that is worst for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from segfmu.validation.campaigns.rare import Found
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A criterion in all runs.
+
+    Attributes
+    ----------
+    criterion : str
+    judged, held : int
+        Runs that came to a verdict, and those in which it holds.
+    worst : float or None
+        The least margin; None without a verdict.
+    run : int or None
+        Number of the run that has it.
+    fails : Probability, RareProbability or None
+        That it fails; None without a verdict, and of runs that were chosen otherwise than at random
+        or for this.
+    """
+
+    criterion: str
+    judged: int
+    held: int
+    worst: float | None
+    run: int | None
+    fails: Found | None = None
+
+    @property
+    def share(self) -> float:
+        """Of the runs with a verdict those in which it holds; 0 without any."""
+        return self.held / self.judged if self.judged else 0.0
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """The run with the least margin of a criterion.
+
+    Attributes
+    ----------
+    run : int
+    margin : float
+        In the unit of the signal.
+    factors : dict
+        Values of all factors by name.
+    command : str
+        That makes it again.
+    """
+
+    run: int
+    margin: float
+    factors: dict[str, Any]
+    command: str
