@@ -62,6 +62,13 @@ def test_what_is_no_number_later_hides_no_excess() -> None:
     assert str(found) == "a leaves its tube at 0.501 s by 0.2 (at most by 0.2)"
 
 
+def test_an_excess_has_the_unit_of_the_signal() -> None:
+    name = "load.velocity.x"
+    own, other = ({"time": TIMES, name: np.full(2001, value)} for value in (0.0, 0.3))
+    (found,) = compare(own, other, tube_time=0.0, tube_value=0.1)
+    assert str(found) == f"{name} leaves its tube at 0 s by 0.2 m/s (at most by 0.2 m/s)"
+
+
 def test_other_rows_and_what_is_no_number() -> None:
     coarse = {n: v[::7] for n, v in ramp().items()}
     coarse = {n: np.append(v, ramp()[n][-1]) for n, v in coarse.items()}

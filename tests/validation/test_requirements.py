@@ -34,7 +34,7 @@ def result(folder: Path, follows: float | None, rests: float | None) -> Result:
     """A run with these margins."""
     write(folder, scenario=ASKED)
     findings = tuple(
-        Finding(name, "always", "signal", 0.02, margin)
+        Finding(name, "always", "signal", 0.02, margin, "m")
         for name, margin in (("follows", follows), ("rests", rests)) if margin is not None
     )
     error = "" if findings else "the rope is slack"
@@ -48,7 +48,7 @@ def test_a_requirement_rests_on_all_runs_of_its_criteria(tmp_path: Path) -> None
         "REQ-3": "no evidence", "REQ-1": "fails", "REQ-2": "holds",
     }
     assert [e.found for e in found["REQ-1"].evidence] == [
-        "s: margin 0.01, bound 0.02", "s: margin -0.01, bound 0.02",
+        "s: margin 0.01 m, bound 0.02 m", "s: margin -0.01 m, bound 0.02 m",
     ]
     assert found["REQ-1"].evidence[0].criterion == "the load is where it is expected"
     assert found["REQ-2"].evidence[0].criterion == "rests"

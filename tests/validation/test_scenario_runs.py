@@ -138,6 +138,9 @@ def test_exit_codes_and_junit(
     assert cli.run() == code
     (suite,) = ElementTree.parse(tmp_path / "j.xml").getroot()
     assert {entry.tag for case in suite for entry in case} == outcomes
+    if bound == "1e-30":
+        (told,) = (entry.get("message") or "" for case in suite for entry in case)
+        assert told.endswith(" m of error.load.norm, bound 1e-30 m")
     counted = {"failures": "failure", "errors": "error", "skipped": "skipped"}
     for key, outcome in counted.items():
         assert int(suite.get(key) or 0) == len(suite.findall(f"testcase/{outcome}"))

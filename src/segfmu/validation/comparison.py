@@ -9,6 +9,7 @@ import numpy as np
 
 from segfmu.arrays import FloatArray
 from segfmu.errors import InputError, meant
+from segfmu.validation.units import signal_units, with_unit
 
 # s; times that differ by less are equal
 INSTANT = 1e-9
@@ -30,19 +31,24 @@ class Excess:
         By how much it is outside then, in the unit of the signal.
     largest : float
         Greatest excess of this signal, where it is a number.
+    unit : str
+        Empty where it is not known.
     """
 
     signal: str
     time: float
     excess: float
     largest: float
+    unit: str = ""
 
     def __str__(self) -> str:
         if np.isnan(self.excess):
             return f"{self.signal} is not a number at {self.time:.6g} s"
+        excess, largest = (
+            with_unit(f"{value:.4g}", self.unit) for value in (self.excess, self.largest)
+        )
         return (
-            f"{self.signal} leaves its tube at {self.time:.6g} s by {self.excess:.4g} "
-            f"(at most by {self.largest:.4g})"
+            f"{self.signal} leaves its tube at {self.time:.6g} s by {excess} (at most by {largest})"
         )
 
 
@@ -77,7 +83,7 @@ def compare(
     if len(reference) < 2:
         raise InputError("the reference has no signal beside time: nothing would be compared")
     _require_alike(result, reference, tube_time)
-    times = result["time"]
+    times, units = result["time"], signal_units()
     found = []
     for name in reference:
         if name == "time":
@@ -93,7 +99,8 @@ def compare(
         if wrong.size:
             first = wrong[0]
             found.append(Excess(
-                name, float(times[first]), float(outside[first]), float(np.fmax.reduce(outside))
+                name, float(times[first]), float(outside[first]), float(np.fmax.reduce(outside)),
+                units.get(name, ""),
             ))
     return sorted(found, key=lambda e: e.time)
 

@@ -22,6 +22,7 @@ from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.scenario_tables import CriterionTable, moment
 from segfmu.validation.signal_table import read_table
+from segfmu.validation.units import signal_units
 
 # combinations of variables that have a name of their own
 DERIVED = {"error.load.horizontal": ("error.load.x", "error.load.y")}
@@ -42,6 +43,8 @@ class Finding:
         In the unit of the signal; of drives the share.
     margin : float
         In the unit of the signal; positive where the criterion holds, NaN for a signal that is.
+    unit : str
+        Of the signal, of a norm that of its first one; empty where it is not known, and of shares.
     """
 
     name: str
@@ -49,6 +52,7 @@ class Finding:
     signal: str
     bound: float
     margin: float
+    unit: str = ""
 
     @property
     def normalised(self) -> float | None:
@@ -139,7 +143,8 @@ def judge(
     best = criterion.kind == "eventually"
     margin = float(distances.max() if best else distances.min())
     return Finding(
-        criterion.name, criterion.kind, title(criterion), bound, _rounded(margin, bound)
+        criterion.name, criterion.kind, title(criterion), bound, _rounded(margin, bound),
+        signal_units().get(_parts(criterion)[0], ""),
     )
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.units import pretty
+from segfmu.validation.units import pretty, with_unit
 
 NONE = "no evidence"
 
@@ -89,5 +89,8 @@ def _evidence(result: Result, criterion: CriterionTable) -> Evidence:
     where = result.scenario.file.name
     if finding is None:
         return Evidence(words(criterion), f"{where}: {result.error}", None)
-    found = f"{where}: margin {pretty(finding.margin)}, bound {pretty(finding.bound)}"
+    margin, bound = (
+        with_unit(pretty(value), finding.unit) for value in (finding.margin, finding.bound)
+    )
+    found = f"{where}: margin {margin}, bound {bound}"
     return Evidence(words(criterion), found, finding.passed)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.monitor import Finding
+from segfmu.validation.units import with_unit
 
 Rows = NDArray[np.void]
 
@@ -51,6 +52,9 @@ class Result:
         """AssertionError with all that failed, if it did not go as its file expects."""
         if self.right:
             return
-        wrong = [f"{f.name}: margin {f.margin:.4g}" for f in self.findings if not f.passed]
+        wrong = [
+            f"{f.name}: margin {with_unit(f'{f.margin:.4g}', f.unit)}"
+            for f in self.findings if not f.passed
+        ]
         reasons = "; ".join([self.error] if self.error else wrong) or "passed, expected to fail"
         raise AssertionError(f"{self.scenario.path}: {reasons}")

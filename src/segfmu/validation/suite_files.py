@@ -17,7 +17,7 @@ from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.units import signal_units
+from segfmu.validation.units import signal_units, with_unit
 
 
 def write_results(folder: Path, results: Sequence[Result]) -> SuiteDocument:
@@ -60,7 +60,9 @@ def suite_table(results: Sequence[Result]) -> Table:
     """Every criterion with its margin and verdict."""
     table = Table()
     for name in ("criterion", "bound", "margin", "of the bound", "verdict"):
-        table.add_column(name, justify="left" if name in ("criterion", "verdict") else "right")
+        left = name in ("criterion", "verdict")
+        # a number without its unit on the next line is misread
+        table.add_column(name, justify="left" if left else "right", no_wrap=not left)
     for result in results:
         table.add_section()
         error = f": {result.error}" if result.error else ""
@@ -69,7 +71,8 @@ def suite_table(results: Sequence[Result]) -> Table:
         for found in result.findings:
             share = found.normalised
             table.add_row(
-                f"  {escape(found.name)}", f"{found.bound:.4g}", f"{found.margin:+.4g}",
+                f"  {escape(found.name)}", with_unit(f"{found.bound:.4g}", found.unit),
+                with_unit(f"{found.margin:+.4g}", found.unit),
                 "" if share is None else f"{100.0 * share:+.1f} %", _verdict(found.passed, result),
             )
     return table
@@ -113,7 +116,8 @@ def _suite(root: xml.Element, result: Result) -> None:
         else:
             add_test(
                 suite, where, found.name, "skipped" if result.right else "failure",
-                f"margin {found.margin:.6g} of {found.signal}, bound {found.bound:.6g}",
+                f"margin {with_unit(f'{found.margin:.6g}', found.unit)} of {found.signal}, bound "
+                f"{with_unit(f'{found.bound:.6g}', found.unit)}",
             )
     if result.passed and not result.right:
         add_test(suite, where, "expected to fail", "failure", "all criteria hold")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import cache
 from math import degrees
 
+from segfmu.fmu.model import Model
 from segfmu.fmu.models import registered
 
 # from this magnitude on in the first unit, the second one, larger by a factor of 1000
@@ -29,9 +31,18 @@ def shown(values: Sequence[float], unit: str) -> tuple[tuple[float, ...], str]:
 
 def signal_units() -> dict[str, str]:
     """Units of the signals of all FMUs and of time, for the headers of tables."""
-    specs = (model.spec() for model in registered())
-    own = {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
-    return {"time": "s"} | own
+    return {"time": "s"} | _units(registered())
+
+
+@cache
+def _units(models: tuple[Model, ...]) -> dict[str, str]:
+    specs = (model.spec() for model in models)
+    return {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
+
+
+def with_unit(number: str, unit: str) -> str:
+    """A number and its unit, which may be empty."""
+    return f"{number} {unit}".rstrip()
 
 
 def unlike(names: Iterable[str]) -> str:

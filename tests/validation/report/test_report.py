@@ -16,7 +16,7 @@ from segfmu.crane.bounds import DRIVES
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.drive_use import PLACES
 from segfmu.validation.plots import plot_plan
-from segfmu.validation.report import campaign_page, run_page
+from segfmu.validation.report import campaign_page, run_page, suite_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
 from segfmu.validation.report.motion import drive_section, load_section, owned
 from segfmu.validation.report.page import render
@@ -190,6 +190,8 @@ def test_a_suite_has_every_criterion_and_error(tmp_path: Path) -> None:
     for result in suite:
         assert f"segfmu validate {result.scenario.path}" in text
         assert all(finding.name in text for finding in result.findings)
+    bounds = [row[3] for row in suite_page(suite).sections[0].tables[0].rows]
+    assert [bound.split()[1:] for bound in bounds] == [["m"], []]
     assert "end stop" in text and "as expected" in text
 
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 from segfmu.validation.documents.document import Part, ResultDocument, Text, Value
 from segfmu.validation.files.keys import Key
-from segfmu.validation.files.scenario_tables import CriterionTable
-from segfmu.validation.monitor import DERIVED, Finding
+from segfmu.validation.monitor import Finding
 from segfmu.validation.requirements import of_results
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.units import signal_units
 
 
 class Judged(Part):
@@ -79,11 +77,11 @@ def suite_document(
     results: Sequence[Result], tables: Sequence[str | None] | None = None
 ) -> SuiteDocument:
     """The document of scenarios, and the names of their tables if these are written."""
-    units, tables = signal_units(), tables or [None] * len(results)
+    tables = tables or [None] * len(results)
     return SuiteDocument(
         passed=all(result.right for result in results),
         scenarios=[
-            _scenario(result, table, units)
+            _scenario(result, table)
             for result, table in zip(results, tables, strict=True)
         ],
         requirements=[
@@ -98,31 +96,18 @@ def suite_document(
     )
 
 
-def _scenario(result: Result, table: str | None, units: Mapping[str, str]) -> ScenarioResult:
+def _scenario(result: Result, table: str | None) -> ScenarioResult:
     file = result.scenario.file
     return ScenarioResult(
         scenario=file.name, file=str(result.scenario.path), expect=file.expect,
         passed=result.passed, right=result.right, error=result.error or None,
         times_s=Times(**result.known) if result.known else None, table=table,
-        # without a run there are no findings
-        criteria=[
-            _judged(finding, criterion, units)
-            for finding, criterion in zip(result.findings, file.criteria, strict=False)
-        ],
+        criteria=[_judged(finding) for finding in result.findings],
     )
 
 
-def _judged(found: Finding, criterion: CriterionTable, units: Mapping[str, str]) -> Judged:
+def _judged(found: Finding) -> Judged:
     return Judged(
-        name=found.name, kind=found.kind, signal=found.signal, unit=_unit(criterion, units),
+        name=found.name, kind=found.kind, signal=found.signal, unit=found.unit or None,
         bound=found.bound, margin=found.margin, normalised=found.normalised, passed=found.passed,
     )
-
-
-def _unit(criterion: CriterionTable, units: Mapping[str, str]) -> str | None:
-    """Unit of the signal, or of the first one of a norm; drives are judged by shares."""
-    signal = criterion.signal
-    if criterion.kind == "drives" or signal is None:
-        return None
-    parts = DERIVED.get(signal, (signal,)) if isinstance(signal, str) else signal
-    return units.get(parts[0])

@@ -14,13 +14,14 @@ from segfmu.validation.report.motion import (
     drive_section,
     error_section,
     owned,
+    powers,
     sway_section,
 )
 from segfmu.validation.report.page import Cell, Page, Section, Table
 from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.report.scene import scene
 from segfmu.validation.requirements import of_results
-from segfmu.validation.units import pretty
+from segfmu.validation.units import pretty, with_unit
 
 if TYPE_CHECKING:
     from segfmu.validation.scenario_result import Result
@@ -121,13 +122,15 @@ def _criteria(results: list[Result]) -> Table:
         for found in result.findings:
             share = found.normalised
             rows.append((
-                result.scenario.file.name, found.name, found.signal, pretty(found.bound),
-                pretty(found.margin),
+                result.scenario.file.name, found.name, found.signal, *(
+                    with_unit(pretty(value), powers(found.unit))
+                    for value in (found.bound, found.margin)
+                ),
                 ("", "") if share is None else (percent(share), "margin"),
                 _verdict(found.passed, result),
             ))
     heads = ("scenario", "criterion", "signal", "bound", "margin", "of the bound", "verdict")
-    return Table("All criteria; bounds and margins in SI units and rad", heads, rows)
+    return Table("All criteria", heads, rows)
 
 
 def _details(result: Result, rows: Rows, number: int) -> Section:
