@@ -70,7 +70,7 @@ def test_every_measure_is_in_the_verdict(run: segfmu.Run) -> None:
     assert {row[4][0] for row in page.summary.rows} == {"passed"}
     text = render(page)
     assert re.search(r"<title>[^<]*passed</title>", text)
-    assert "segfmu simulate" in text and "below 1e-6 mm" in text
+    assert "segfmu simulate" in text and 'below <span class="number">1e-6</span> mm' in text
 
 
 @needs_native
@@ -234,6 +234,20 @@ def test_a_campaign_names_causes_worst_case_and_errors(tmp_path: Path) -> None:
     # the effect is that of the draw: the margin falls by 0.01 for 1 of the gust
     slope = np.polyfit(points.curves[0].x, points.curves[0].y, 1)[0]
     assert points.across == "gust" and slope == pytest.approx(-0.01, rel=0.05)
+
+
+def test_numbers_with_exponents_stay_on_one_line(tmp_path: Path) -> None:
+    table = pyarrow.table({
+        "run": [0], "scenario": ["<s>"], "<gust>": [1.55e-9], "passed": [False],
+        "error": pyarrow.array([None], pyarrow.string()),
+        "margin.c": [-1.55e-9], "bound.c": [0.1], "holds.c": [False],
+    })
+    result = CampaignResult("tiny", tmp_path, ("<gust>",), ("c",), table)
+    text = result.report(tmp_path / "report.html").read_text(encoding="utf-8")
+    whole = '<span class="number">{}</span>'
+    assert f"<span>{whole.format('-1.55e-09')}</span></td>" in text
+    assert f"<span>&lt;gust&gt; {whole.format('1.55e-09')}</span></td>" in text
+    assert ".number { white-space: nowrap; }" in text
 
 
 def test_a_search_shows_worst_cases_in_place_of_shares() -> None:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
 from importlib.metadata import version
 from importlib.resources import files
 from typing import Any
+
+# behind the hyphen of an exponent browsers break lines
+POWER = re.compile(r"[+-]?\d[\d.,]*e[+-]\d+")
 
 
 def filled(
@@ -22,9 +26,17 @@ def filled(
     surroundings = Environment(
         autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
+    surroundings.filters["whole"] = _whole
     return surroundings.from_string(_text(package, template)).render(
         parts=texts, version=version("segfmu"), **values
     )
+
+
+def _whole(text: str) -> Any:
+    """A text as HTML, in which every number with an exponent stays on one line."""
+    from markupsafe import Markup, escape
+
+    return Markup(POWER.sub(r'<span class="number">\g<0></span>', str(escape(text))))
 
 
 def _text(package: str, name: str) -> str:
