@@ -21,6 +21,8 @@ from segfmu.validation.signal_table import read_table
     ("time,a\n0,1,2\n", "2 names but rows of 3 numbers"),
     ("time [ms],a\n0,1\n1,2\n", "column time is in ms; give it in s"),
     ("time,sway.x.angle [deg]\n0,1\n1,2\n", "column sway.x.angle is in deg; give it in rad"),
+    ("time,sway.x.angle (deg)\n0,1\n1,2\n", "column sway.x.angle is in deg; give it in rad"),
+    ("time[ms],a\n0,1\n1,2\n", "column time is in ms; give it in s"),
     ("time,a,a\n0,1,2\n", "two columns have one name, 'a'"),
     ("title\ntime,a\n0,1\n", "no column time; the first line has 'title'"),
     ("time|a\n0|1\n", "no column time; the first line has 'time|a'"),
@@ -42,7 +44,8 @@ def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) ->
 
 
 @pytest.mark.parametrize("text", [
-    "time,a [m]\n0,1\n1,2\n", "time;a\n0;1\n1;2\n", "time\ta [m]\r\n0\t1\r\n1\t2\r\n",
+    "time,a [m]\n0,1\n1,2\n", "time (s),a[m]\n0,1\n1,2\n",
+    "time;a\n0;1\n1;2\n", "time\ta [m]\r\n0\t1\r\n1\t2\r\n",
     ' time , "a" \r0 , 1\r1 , 2\r', "\ufefftime, a\n0, 1\n\n1, 2",
     "# logged on Monday, at noon\n\ntime,a\n0,1\n1,2\n",
 ])
@@ -53,6 +56,11 @@ def test_tables_are_read_as_spreadsheets_write_them(tmp_path: Path, text: str) -
     assert {name: values.tolist() for name, values in table.items()} == {
         "time": [0.0, 1.0], "a": [1.0, 2.0],
     }
+
+
+def test_what_is_a_part_of_a_name_is_no_unit(tmp_path: Path) -> None:
+    (tmp_path / "log.csv").write_text("time,a[2],der(a),norm(a) [m]\n0,1,2,3\n", encoding="utf-8")
+    assert list(read_table(tmp_path / "log.csv")) == ["time", "a[2]", "der(a)", "norm(a)"]
 
 
 @pytest.mark.parametrize("encoding", ["utf-16", "latin-1"])

@@ -12,8 +12,9 @@ from segfmu.errors import InputError
 # between columns, what the first line has
 DELIMITERS = (";", "\t", ",")
 LARGEST = 64_000_000
-# behind a name, as in "load.position.x [m]"; indices of arrays follow theirs without a space
-UNIT = re.compile(r"\s+\[([^\]]*)\]$")
+# behind a name, as in "load.position.x [m]" or "alpha (deg)"; without a space "der(x)" and "x[2]"
+# are names
+UNIT = re.compile(r"(?:\s+[\[(]|\[(?!\d))([^\])]*)[\])]$")
 
 
 def is_row(line: str) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import csv
 import warnings
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
 
@@ -47,10 +47,9 @@ def read_table(
         If it cannot be read or is no such table.
     """
     other = columns or {}
-    time, own = other.get("time", "time"), signal_units()
-    units = own | {name: own[signal] for signal, name in other.items() if signal in own}
+    time = other.get("time", "time")
     delimiter, cells = _header(path)
-    names = without_units(cells, units, str(path))
+    names = bare_names(cells, other, str(path))
     _require_names(path, names, time, names if used is None else used)
     read = [i for i, name in enumerate(names) if used is None or name in used]
     try:
@@ -67,6 +66,19 @@ def read_table(
     table: dict[str, FloatArray] = {names[i]: data[:, i] for i in read}
     require_increasing(table[time], str(path))
     return table
+
+
+def bare_names(cells: Iterable[str], columns: Mapping[str, str], where: str) -> list[str]:
+    """Names of columns without units; of signals, those of `columns` too, these must be theirs.
+
+    Raises
+    ------
+    InputError
+        For another unit.
+    """
+    own = signal_units()
+    units = own | {name: own[signal] for signal, name in columns.items() if signal in own}
+    return without_units(list(cells), units, where)
 
 
 def require_increasing(times: FloatArray, where: str) -> None:

@@ -92,23 +92,26 @@ def test_time_may_have_another_name_and_other_columns_may_be_texts(tmp_path: Pat
             segfmu.identify(given, CRANE, fit=["bridge.lag"])
 
 
+@pytest.mark.parametrize("written", ["mine [{}]", "mine ({})", "mine[{}]"])
 @pytest.mark.parametrize(("own", "unit", "needed"), [
     ("time", "ms", "s"), ("measured.sway.x.angle", "deg", "rad"),
     ("velocity.bridge", "m/min", "m/s"),
 ])
 def test_units_of_columns_with_other_names_are_checked(
-    own: str, unit: str, needed: str, tmp_path: Path
+    own: str, unit: str, needed: str, written: str, tmp_path: Path
 ) -> None:
     """Degrees of a column of another name were taken for radians."""
     log = {**LOG, "measured.sway.x.angle": np.zeros(50)}
-    names = [f"mine [{unit}]" if name == own else name for name in log]
+    whole = written.format(unit)
+    names = [whole if name == own else name for name in log]
     file = tmp_path / "log.csv"
     np.savetxt(
         file, np.stack([*log.values()]).T, delimiter=",", header=",".join(names), comments=""
     )
-    for name in ("mine", f"mine [{unit}]"):
-        with pytest.raises(InputError, match=f"column mine is in {unit}; give it in {needed}"):
-            segfmu.identify(file, CRANE, fit=["bridge.lag"], columns={own: name})
+    for source in (file, dict(zip(names, log.values(), strict=True))):
+        for name in ("mine", whole):
+            with pytest.raises(InputError, match=f"column mine is in {unit}; give it in {needed}"):
+                segfmu.identify(source, CRANE, fit=["bridge.lag"], columns={own: name})
 
 
 def test_the_signals_of_a_run_are_a_log() -> None:

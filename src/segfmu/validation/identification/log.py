@@ -16,7 +16,12 @@ from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
 from segfmu.planning.rows import UNIT
 from segfmu.validation.files.keys import DRIVES
-from segfmu.validation.signal_table import column_names, read_table, require_increasing
+from segfmu.validation.signal_table import (
+    bare_names,
+    column_names,
+    read_table,
+    require_increasing,
+)
 from segfmu.validation.units import signal_units
 
 # m and rad
@@ -94,12 +99,14 @@ def read_log(
     needed = [f"{drive}.{axis}" for axis in DRIVES]
     own_names = ["time", *needed, *OUTPUTS]
     _require_used(columns, own_names)
+    columns = {own: UNIT.sub("", c) for own, c in columns.items()}
     if isinstance(source, Mapping):
-        table = {str(n): numbers(str(n), _counted(values)) for n, values in source.items()}
+        names = bare_names(map(str, source), columns, name)
+        table = {n: numbers(n, _counted(v)) for n, v in zip(names, source.values(), strict=True)}
         _require_times(table, name, columns.get("time", "time"))
         others: Iterable[str] = table
     else:
-        name, columns = str(source), {own: UNIT.sub("", c) for own, c in columns.items()}
+        name = str(source)
         others = column_names(Path(source))
         _require_time(name, columns.get("time", "time"), others)
         table = read_table(Path(source), {*own_names, *columns.values()}, columns)
