@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -14,13 +14,13 @@ from segfmu.cosim.channel import Channel
 from segfmu.cosim.points import communication_points
 from segfmu.cosim.table import Table, columns, fields
 from segfmu.cosim.unit import Unit, alike
-from segfmu.errors import InputError
+from segfmu.errors import InputError, meant
 
 
 def run_alone(
     path: Path, *, stop_time: float, step: float, start_time: float = 0.0,
     values: Mapping[str, Any] | None = None,
-    stimuli: Mapping[str, NDArray[np.float64]] | None = None,
+    stimuli: Mapping[str, NDArray[np.float64]] | None = None, known: Collection[str] = (),
 ) -> NDArray[np.void]:
     """Step an FMU; its inputs are held over a step, at their values of its beginning.
 
@@ -36,6 +36,8 @@ def run_alone(
         Parameters and start values.
     stimuli : mapping of str to ndarray
         "time" and inputs; real ones are linear between rows, others are held, all behind the end.
+    known : collection of str
+        Names of variables, or of elements of arrays, that it has to have.
 
     Returns
     -------
@@ -53,6 +55,7 @@ def run_alone(
 
     times = communication_points(start_time, stop_time, step)
     with load(path) as unit:
+        _require_variables(unit, known)
         given = _tracks(unit, stimuli or {}, times)
         unit.set(values or {})
         _feed(given, 0)
@@ -68,6 +71,12 @@ def run_alone(
             unit.read_outputs()
             table.record(i)
     return table.rows
+
+
+def _require_variables(unit: Unit, names: Collection[str]) -> None:
+    for name in names:
+        if not {name, name.partition("[")[0]} & {"time", *unit.variables}:
+            raise InputError(f"{unit.name} has no variable {name}{meant(name, unit.variables)}")
 
 
 def _tracks(

@@ -220,11 +220,42 @@ def test_experiments_of_another_tool(pendulum: Path, tmp_path: Path) -> None:
 
 
 def test_a_result_alone_is_of_the_default_experiment(pendulum: Path, tmp_path: Path) -> None:
-    still = "time,sway.angle,flag\n0,0,false\n2.5,0,false\n5,0,true\n"
+    still = "time,sway.angle,crane.gravity\n0,0,false\n2.5,0,false\n5,0,true\n"
     files = {"fmi-ls-manifest.xml": EXAMPLE.format(related=RESULT), "out.csv": still}
     _, (one,) = repeat(archive(pendulum, tmp_path / "result.fmu", files))
     assert one.alike and (one.case.start, one.case.stop, one.case.step) == (0.0, 5.0, 0.01)
-    assert one.left_out == ("flag",)
+    assert one.left_out == ("crane.gravity",)
+
+
+@pytest.mark.parametrize(("column", "told"), [
+    ("time,sway.angel\n0,0\n5,0\n",
+     "Pendulum has no variable sway.angel; did you mean sway.angle?"),
+    ("time,sway.angle\n0,0\n5,x\n", "the references of sway.angle are no numbers"),
+])
+def test_references_that_cannot_be_compared_are_no_agreement(
+    pendulum: Path, tmp_path: Path, column: str, told: str
+) -> None:
+    lines = (f"{line},{rest}" for line, rest in zip(
+        column.splitlines(), ("sway.rate", "0", "0"), strict=True
+    ))
+    files = {"fmi-ls-manifest.xml": EXAMPLE.format(related=RESULT), "out.csv": "\n".join(lines)}
+    _, (one,) = repeat(archive(pendulum, tmp_path / "result.fmu", files))
+    assert not one.alike and one.error == told
+
+
+def test_results_of_experiments_that_cannot_be_read_are_not_those_of_others(
+    pendulum: Path, tmp_path: Path
+) -> None:
+    """They were repeated without their stimuli."""
+    both = EXAMPLE.format(related=TESTS + RESULT.replace("out.csv", "tests/ref.csv"))
+    for damaged, told in (
+        (OLD[:-20], r"no XML: .*; tests/ref\.csv: may be of tests/smoke%20tests\.exp, which"),
+        (OLD.replace("<Stimuli", "<Stimulus"), "steady: has an element Stimulus, which is not"),
+        ("<Experiments/>", "has no experiment"),
+    ):
+        files = foreign(TESTS, damaged) | {"fmi-ls-manifest.xml": both}
+        with pytest.raises(InputError, match=told):
+            read_references(archive(pendulum, tmp_path / "damaged.fmu", files))
 
 
 @pytest.mark.parametrize(("files", "told"), [
@@ -236,6 +267,8 @@ def test_a_result_alone_is_of_the_default_experiment(pendulum: Path, tmp_path: P
      r"out\.csv: no table with a column time"),
     ({"fmi-ls-manifest.xml": EXAMPLE.format(related=RESULT), "out.csv": "time,b\n1,2\n0,3\n"},
      r"out\.csv: its times do not increase"),
+    ({"fmi-ls-manifest.xml": EXAMPLE.format(related=RESULT), "out.csv": "time,b\nx,2\n"},
+     r"out\.csv: its times are no numbers"),
     ({"fmi-ls-manifest.xml": EXAMPLE.format(related=RESULT), "out.csv": "time,b\n1\n"},
      "rows with more or fewer values"),
     ({"fmi-ls-manifest.xml": EXAMPLE.format(related=TESTS), "tests/smoke tests.exp": OLD.replace(

@@ -29,6 +29,8 @@ ABOUT = {
 EXPERIMENTS, PARAMETERS = "application/x-ma-hs-experiments", "application/x-ssp-parameter-set"
 TABLE, JSON, ANY = "text/csv", "application/json", "application/octet-stream"
 TIMES = ("startTime", "stopTime", "stepSize")
+# elements of an experiment that can be repeated
+PARTS = ("Parameters", "Stimuli", "References", "Annotations", "TransientSimulation")
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,8 @@ class Experiment:
         Times of the experiment and communication step [s]; None: those of the model description.
     parameters, stimuli, references : File or None
         Start values, inputs over time, and results that are expected.
+    other : str
+        An element that it has and that is not known here; empty without.
     """
 
     name: str
@@ -80,6 +84,7 @@ class Experiment:
     parameters: File | None = None
     stimuli: File | None = None
     references: File | None = None
+    other: str = ""
 
 
 def manifest(files: Sequence[Related]) -> bytes:
@@ -128,7 +133,7 @@ def read_manifest(text: bytes) -> list[Related]:
 
 
 def read_experiments(text: bytes) -> list[Experiment]:
-    """Experiments of a file that simulate over time; others are left out.
+    """Experiments of a file; those that do not simulate over time have another element.
 
     Raises
     ------
@@ -139,15 +144,20 @@ def read_experiments(text: bytes) -> list[Experiment]:
     for element in _root(text, "Experiments"):
         parts = {_name(e): e for e in element}
         timed = parts.get("TransientSimulation", element)
-        known = {"Parameters", "Stimuli", "References", "Annotations", "TransientSimulation"}
-        if _name(element) != "Experiment" or parts.keys() - known:
+        if _name(element) != "Experiment":
             continue
-        files = [
+        parameters, stimuli, references = (
             _file(parts.get(name), usual) for name, usual in
             (("Parameters", PARAMETERS), ("Stimuli", TABLE), ("References", TABLE))
-        ]
+        )
         start, stop, step = (_number(timed.get(name)) for name in TIMES)
-        found.append(Experiment(element.get("name", ""), start, stop, step, *files))
+        other = next((name for name in parts if name not in PARTS), "")
+        name = element.get("name", "")
+        found.append(
+            Experiment(name, start, stop, step, parameters, stimuli, references, other)
+        )
+    if not found:
+        raise ValueError("has no experiment")
     return found
 
 

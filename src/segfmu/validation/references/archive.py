@@ -128,25 +128,34 @@ class _Reader:
             listed = read_manifest(self._archive.read(MANIFEST))
         except ValueError as error:
             raise InputError(f"{self._path}: {MANIFEST}: {error}") from None
+        tests = [file for file in listed if file.role.split("/")[0] == "experiment"]
+        told = [(f, self._read(f.source, FOLDER, read_experiments)) for f in tests]
+        unread = [file.source for file, found in told if found is None]
         cases, used = [], set()
+        for file, found in told:
+            for one in found or ():
+                base = posixpath.dirname(_place(file.source, FOLDER))
+                if one.references is not None:
+                    used.add(_place(one.references.source, base))
+                    cases.append(self._case(one, base))
         for file in listed:
-            if file.role.split("/")[0] == "experiment":
-                for one in self._read(file.source, FOLDER, read_experiments) or ():
-                    base = posixpath.dirname(_place(file.source, FOLDER))
-                    if one.references is not None:
-                        used.add(_place(one.references.source, base))
-                        cases.append(self._case(one, base))
-        for file in listed:
-            if file.role == "result" and _place(file.source, FOLDER) not in used:
-                default = Experiment(
-                    file.description or file.source, references=File(file.source, file.type)
-                )
-                cases.append(self._case(default, FOLDER))
+            if file.role != "result" or _place(file.source, FOLDER) in used:
+                continue
+            if unread:
+                self._missing.append(f"{file.source}: may be of {unread[0]}, which cannot be read")
+                continue
+            default = Experiment(
+                file.description or file.source, references=File(file.source, file.type)
+            )
+            cases.append(self._case(default, FOLDER))
         reports = tuple(file for file in listed if file.role == "report")
         return References(tuple(c for c in cases if c), reports, tuple(self._missing))
 
     def _case(self, one: Experiment, base: str) -> Case | None:
-        """What belongs to an experiment; None if a part of it is missing."""
+        """What belongs to an experiment; None if a part of it is missing or not known."""
+        if one.other:
+            self._missing.append(f"{one.name}: has an element {one.other}, which is not known")
+            return None
         before = len(self._missing)
         table = self._typed(one.references, base, TABLE, _columns)
         stimuli = self._typed(one.stimuli, base, TABLE, _columns)
@@ -225,7 +234,9 @@ def _columns(text: bytes) -> Columns:
         except ValueError:
             texts.append(name)
     # an event has a row before and one behind
-    if "time" not in numbers or not np.all(np.diff(numbers["time"]) >= 0.0):
+    if "time" not in numbers:
+        raise ValueError("its times are no numbers")
+    if not np.all(np.diff(numbers["time"]) >= 0.0):
         raise ValueError("its times do not increase")
     return Columns(numbers, tuple(texts))
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from segfmu.cosim.alone import run_alone
-from segfmu.errors import SegfmuError
+from segfmu.errors import InputError, SegfmuError
 from segfmu.validation.apart import Apart
 from segfmu.validation.comparison import Excess, compare
 from segfmu.validation.progress import Progress, quiet
@@ -29,7 +29,7 @@ class Repetition:
     outside : tuple of Excess
         Those that leave their tubes.
     left_out : tuple of str
-        Those that were not compared: texts, and what is no output of the FMU.
+        Those that were not compared: texts, and variables that are no outputs.
     error : str
         Why there is no result; empty if there is one.
     """
@@ -88,9 +88,12 @@ def _repeated(
 ) -> Repetition:
     rows = run_alone(
         path, start_time=case.start, stop_time=case.stop, step=case.step, values=case.values,
-        stimuli=case.stimuli,
+        stimuli=case.stimuli, known=case.references.numbers,
     )
     names = rows.dtype.names or ()
+    wrong = next((name for name in case.references.texts if name in names), None)
+    if wrong is not None:
+        raise InputError(f"the references of {wrong} are no numbers")
     reference = {n: v for n, v in case.references.numbers.items() if n in names}
     result = {n: rows[n].astype(float) for n in reference}
     times, own = reference["time"], result["time"]
