@@ -260,6 +260,20 @@ LONG = {
 }
 
 
+@pytest.mark.parametrize(("text", "told"), [
+    ("gravity = 9.8\ngravity = 9.9", "gravity is there twice (at line 2)"),
+    ("[a]\n'b c' = 1\n'b c' = [\n1,\n[2]\n] # d = 3\n", "'b c' is there twice (at line 3)"),
+    ("a.b = 1\na.b = 2\n", "a.b is there twice (at line 2)"),
+    ("a = 1\n[[ a ]] # again\n", "a is there twice (at line 2)"),
+    ("[a.b]\n\n[a.b]\n", "a.b is there twice (at line 3)"),
+    ("a = { b = 1 }\na.c = 2\n", "a.c is there twice (at line 2)"),
+])
+def test_a_key_that_is_there_twice_is_told(text: str, told: str, tmp_path: Path) -> None:
+    files(tmp_path, text)
+    line = refused(tmp_path, "plan", "mission.toml")
+    assert f"mission.toml: not valid TOML: {told}" in line
+
+
 @pytest.mark.parametrize("name", LONG)
 def test_integers_and_depths_that_nothing_reads(name: str, tmp_path: Path) -> None:
     value, words = LONG[name]

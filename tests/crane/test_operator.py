@@ -494,6 +494,8 @@ def test_numbers_that_are_none_stop_the_load() -> None:
     (lambda o: o.command("velocity", velocity=[1.0]), "velocity must have 3 values"),
     (lambda o: o.command("velocity", scale=2.0), "scale must be from 0 to 1"),
     (lambda o: o.command("target", target=[0.0, np.nan, 0.0]), "target"),
+    (lambda o: o.command("target", target=[0.5, 1e300, -0.4]), r"target must be at most 1e\+06 m"),
+    (lambda o: o.command("inching", distance=2e6), r"distance must be at most 1e\+06 m"),
     (lambda o: o.command("target", [0.5, 0.3, -0.4]), r"mode target needs a target \[m\]: give it "
      "once, as target="),
     (lambda o: o.command("inching", [1.0, 0.0, 0.0]), r"mode inching needs a distance \[m\]"),

@@ -12,6 +12,8 @@ from segfmu.kernels.operation.records import Command, OperationMode, Tries
 MODES = tuple(name.lower() for name in OperationMode.items())
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
+# of a target and a push [m], as of waypoints in files
+FARTHEST = 1e6
 # what a mode does not do without
 NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}
 
@@ -60,7 +62,10 @@ def changed_command(
         ("distance", distance, Command.DISTANCE),
     ):
         if value is not None:
-            changed[place : place + 3] = triple(name, value, alike=name == "distance")
+            values = triple(name, value, alike=name == "distance")
+            if name != "velocity" and np.abs(values).max() > FARTHEST:
+                raise InputError(f"{name} must be at most {FARTHEST:g} m, got {shown(value)}")
+            changed[place : place + 3] = values
     if (changed[Command.DISTANCE : Command.DISTANCE + 3] < 0.0).any():
         raise InputError(
             f"distance must be at least 0 m, got {shown(distance)}; the sign of the velocity is "

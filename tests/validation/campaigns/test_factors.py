@@ -87,6 +87,10 @@ def test_multiples_of_what_the_files_have(source: Source) -> None:
     none = FactorTable(name="m", key="true_crane.bridge.force_max", range=[0.5, 2.0], relative=True)
     with pytest.raises(InputError, match=r"m: relative: true_crane.bridge.force_max is no number"):
         changes(source, [none], {"m": 1.5})
+    text = FactorTable(name="d", key="controller.design", values=[1.0, 2.0], relative=True)
+    words = r"d: relative: controller\.design is no number in the files, but 'lqr'$"
+    with pytest.raises(InputError, match=words):
+        changes(source, [text], {"d": 2.0})
 
 
 def test_variants_are_merged_and_later_factors_see_them(source: Source) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from segfmu.arrays import shown
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.sampling import Sample
 from segfmu.validation.files.campaign_tables import FactorTable
@@ -57,10 +58,12 @@ def _keyed(
     if factor.relative:
         known = _found(view, rest)
         if isinstance(known, bool) or not isinstance(known, int | float):
-            # a key that there is not has a better message
-            build_scenario(source, {first: _assigned(view, rest, value, factor)})
+            if known is None:
+                # a key that there is not has a better message
+                build_scenario(source, {first: _assigned(view, rest, value, factor)})
+            got = "" if known is None else f", but {shown(known)}"
             raise InputError(
-                f"factors: {factor.name}: relative: {factor.key} is no number in the files"
+                f"factors: {factor.name}: relative: {factor.key} is no number in the files{got}"
             )
         value = known * value
     return {first: _assigned(view, rest, value, factor)}

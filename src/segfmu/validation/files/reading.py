@@ -29,6 +29,9 @@ SIZES = {
 }
 # findings about the length of a list, likewise
 LENGTHS = {"too_short": ("min_length", "at least"), "too_long": ("max_length", "at most")}
+# what tomllib says of keys and tables that are there twice, and a line that begins with one
+DOUBLE = re.compile("Cannot (overwrite|declare|mutate)")
+KEY = re.compile(r"""\s*(?:([\w."' -]+?)\s*=|\[+\s*([a-zA-Z_"'][^\]]*?)\s*\]+\s*(?:#|$))""")
 # findings about the type of a value, and words
 TYPES = {"model_type": "table", "dict_type": "table", "list_type": "list"}
 
@@ -80,7 +83,7 @@ def _parsed(path: Path, text: str) -> dict[str, Any]:
             return found
         cause = f"{key} has more than the 64 bits of an integer"
     except tomllib.TOMLDecodeError as error:
-        cause = first_line(error)
+        cause = _doubled(text, first_line(error))
     except RecursionError:
         cause = "tables or lists in each other too deep"
     except ValueError:
@@ -89,6 +92,18 @@ def _parsed(path: Path, text: str) -> dict[str, Any]:
         most, line = max((max(map(len, re.findall(r"[\d_]+", t)), default=0), n) for n, t in lines)
         cause = f"a number of {most} digits (at line {line})"
     raise InputError(f"{path}: not valid TOML: {cause}")
+
+
+def _doubled(text: str, cause: str) -> str:
+    """What is wrong with a text; of a key or table that is there twice its name and line."""
+    if not DOUBLE.match(cause):
+        return cause
+    # the cause has the end of the value
+    end = re.search(r"line (\d+)", cause)
+    lines = text.split("\n")[: int(end[1]) if end else None]
+    found = [(n, key[1] or key[2]) for n, line in enumerate(lines, 1) if (key := KEY.match(line))]
+    number, name = found[-1]
+    return f"{name} is there twice (at line {number})"
 
 
 def leaves(data: Any, name: str = "") -> Iterator[tuple[str, Any]]:
