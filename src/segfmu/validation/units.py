@@ -6,11 +6,17 @@ from collections.abc import Iterable, Sequence
 from functools import cache
 from math import degrees
 
+import numpy as np
+
+from segfmu.arrays import FloatArray
 from segfmu.fmu.model import Model
 from segfmu.fmu.models import registered
+from segfmu.planning import Trajectory
 
 # from this magnitude on in the first unit, the second one, larger by a factor of 1000
 LARGE = 2000.0
+# of places; a way below this share of them is none
+ROUNDING = 1e-12
 LARGER = {"N": "kN", "W": "kW", "kg": "t"}
 
 
@@ -58,6 +64,21 @@ def length(largest: float) -> tuple[float, str]:
     if largest >= 1.0:
         return 1.0, "m"
     return (1e3, "mm") if largest >= 1e-5 else (1e6, "µm")
+
+
+def ways_from_start(
+    trajectory: Trajectory, times: FloatArray
+) -> tuple[FloatArray, float, str]:
+    """Ways of all axes (times, axes) [m], and factor and unit with which they are shown.
+
+    What is rounding beside the positions is no way.
+    """
+    places = trajectory(times)
+    ways = places - trajectory(0.0)
+    largest = float(np.abs(ways).max())
+    if largest <= ROUNDING * float(np.abs(places).max()):
+        return np.zeros_like(ways), *length(1.0)
+    return ways, *length(largest)
 
 
 def pretty(value: float) -> str:

@@ -1,15 +1,18 @@
-"""Plot of a plan: position and its derivatives, against their limits."""
+"""Plot of a plan: the way from its start, and its derivatives against their limits."""
 
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from segfmu.arrays import FloatArray
 from segfmu.planning import Trajectory
 from segfmu.validation.plots.style import COLOURS, SAMPLES, finish, legend, stack
+from segfmu.validation.units import ways_from_start
 
 QUANTITIES = (
-    ("position", "m"), ("velocity", "m/s"), ("acceleration", "m/s²"), ("jerk", "m/s³"),
+    ("velocity", "m/s"), ("acceleration", "m/s²"), ("jerk", "m/s³"),
     ("snap", "m/s⁴"),
 )
 # [% of limit] where the axis ends
@@ -17,13 +20,14 @@ EDGE = 115.0
 
 
 def plot_plan(trajectory: Trajectory, title: str) -> Figure:
-    """Position and its derivatives, relative to their limits if there are any."""
-    figure, panels = stack(len(QUANTITIES))
+    """The way from the start, and its derivatives, relative to their limits if there are any."""
+    figure, panels = stack(1 + len(QUANTITIES))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
-    for order, ((quantity, unit), panel) in enumerate(zip(QUANTITIES, panels, strict=True)):
+    _way(panels[0], trajectory, times)
+    for order, ((quantity, unit), panel) in enumerate(zip(QUANTITIES, panels[1:], strict=True), 1):
         values = trajectory(times, order)
-        limited = order > 0 and bool((table[0, :, order - 1] > 0.0).all())
+        limited = bool((table[0, :, order - 1] > 0.0).all())
         for axis, name in enumerate(trajectory.axis_names):
             label, column = name, values[:, axis]
             if limited:
@@ -40,3 +44,15 @@ def plot_plan(trajectory: Trajectory, title: str) -> Figure:
         panel.set_ylabel(f"{quantity}\n[{'% of limit' if limited else unit}]")
         legend(panel)
     return finish(figure, panels, trajectory.waypoint_times, title)
+
+
+def _way(panel: Axes, trajectory: Trajectory, times: FloatArray) -> None:
+    """The way of each axis: beside where it is, a short one would be flat."""
+    ways, factor, unit = ways_from_start(trajectory, times)
+    for axis, (name, start) in enumerate(zip(trajectory.axis_names, trajectory(0.0), strict=True)):
+        panel.plot(
+            times, factor * ways[:, axis], color=COLOURS[axis % len(COLOURS)],
+            label=f"{name}, from {start:.4g} m",
+        )
+    panel.set_ylabel(f"way from the\nstart [{unit}]")
+    legend(panel)

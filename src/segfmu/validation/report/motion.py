@@ -19,7 +19,7 @@ from segfmu.validation.drive_use import run_demands
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.report.curves import digits, thinned
 from segfmu.validation.report.page import NEAR, Chart, Curve, Section
-from segfmu.validation.units import length, pretty, scale
+from segfmu.validation.units import length, pretty, scale, ways_from_start
 
 SAMPLES = 2000
 # [m], [rad]: below these numbers are noise of the computation
@@ -70,12 +70,14 @@ def load_section(trajectory: Trajectory, given: bool = True) -> Section:
 
 
 def _position(trajectory: Trajectory, times: FloatArray) -> Chart:
-    values = trajectory(times)
+    ways, factor, unit = ways_from_start(trajectory, times)
     spans = (
         f"{axis} {pretty(float(low))} to {pretty(float(high))} m"
         for axis, low, high in zip(AXES, *trajectory.extrema(0), strict=True)
     )
-    return Chart("position", "m", "; ".join(spans), curves(times, values, AXES, AXES))
+    return Chart(
+        "way from the start", unit, "; ".join(spans), curves(times, factor * ways, AXES, AXES)
+    )
 
 
 def _derivative(
