@@ -19,6 +19,7 @@ ERRORS = {n for n in segfmu.__all__ if n.endswith("Error")}
 
 def test_the_page_lists_every_public_name() -> None:
     assert {"__version__"} | LISTED | ERRORS == set(segfmu.__all__)
+    assert dir(segfmu) == segfmu.__all__
     assert ".. automodule:: segfmu.errors" in PAGE
 
 
