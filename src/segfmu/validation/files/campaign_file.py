@@ -11,7 +11,13 @@ from segfmu.errors import InputError
 from segfmu.validation.files.campaign_tables import CampaignFile, Changed, FactorTable
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.reading import checked, read
-from segfmu.validation.files.scenario_file import Source, inherit, located, read_source
+from segfmu.validation.files.scenario_file import (
+    Source,
+    inherit,
+    located,
+    located_value,
+    read_source,
+)
 
 
 @dataclass(frozen=True)
@@ -23,7 +29,7 @@ class CampaignSource:
     path : Path
         The campaign's file.
     file : CampaignFile
-        Variants of factors have paths in place of names of files.
+        Values and variants of factors have paths in place of names of files.
     changes : mapping
         Of all scenarios.
     scenarios : tuple of Source
@@ -63,6 +69,7 @@ def read_campaign(path: Path) -> CampaignSource:
 
 def _placed(campaign: Path, factor: FactorTable) -> FactorTable:
     if factor.variants is None:
-        return factor
+        values = [located_value(campaign, factor.key or "", v) for v in factor.values or ()]
+        return factor.model_copy(update={"values": values or None})
     variants = {n: located(campaign, changes) for n, changes in factor.variants.items()}
     return factor.model_copy(update={"variants": variants})

@@ -226,6 +226,17 @@ def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
     return found
 
 
+def located_value(path: Path, key: str, value: Any) -> Any:
+    """The value of a key that is written with dots, as `located` has it."""
+    first, *rest = key.split(".")
+    if not rest:
+        return located(path, {first: value})[first]
+    if len(rest) == 2:
+        (entry,) = located(path, {first: [{rest[1]: value}]})[first]
+        return entry[rest[1]]
+    return value
+
+
 def _changes(file: ScenarioFile) -> dict[str, Any]:
     """What a scenario changes in the mission's file."""
     found = {n: getattr(file, n) for n in CHANGES if getattr(file, n)}
