@@ -30,6 +30,8 @@ def work(task: str) -> tuple[int, str]:
         print("in the way")
         LOGGER.warning("%s: %s", "probe", "hot", extra={"fmu": "probe"})
         LOGGER.info("not wanted")
+    if task == "hang":
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
     if task == "exit":
         os._exit(0)
     if task == "die":
@@ -61,3 +63,18 @@ def test_an_end_is_an_error_and_the_next_call_has_another_process(task: str, rea
             apart(task)
         assert not Path(place).exists()
         assert apart("")[0] != process
+
+
+def test_a_process_that_hangs_is_killed_though_the_wait_for_it_is_interrupted() -> None:
+    def stop(*_: object) -> None:
+        raise SystemExit(143)
+
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        with pytest.raises(SystemExit), Apart(working) as apart:
+            process, _ = apart("hang")
+            signal.setitimer(signal.ITIMER_REAL, 0.3)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    with pytest.raises(ProcessLookupError):
+        os.kill(process, 0)

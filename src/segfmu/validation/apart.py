@@ -86,14 +86,15 @@ class Apart(Generic[Arguments, Found]):
         """End the process, and remove its temporary files."""
         process, self._process = self._process, None
         if process is not None:
-            process.terminate()
-            with suppress(subprocess.TimeoutExpired):
-                process.wait(PATIENCE)
-            process.kill()
-            process.wait()
-            for pipe in (process.stdin, process.stdout):
-                with suppress(OSError):
-                    pipe and pipe.close()
+            # leaving it closes the pipes, one of which may be broken
+            with suppress(OSError), process:
+                process.terminate()
+                try:
+                    with suppress(subprocess.TimeoutExpired):
+                        process.wait(PATIENCE)
+                finally:
+                    # a signal that stops the command may be raised again in this wait
+                    process.kill()
         if self._folder is not None:
             remove_folder(self._folder)
             self._folder = None
