@@ -73,6 +73,15 @@ def run_alone(
     return table.rows
 
 
+def units_of(path: Path) -> dict[str, str]:
+    """Units of the variables of an FMU that `run_alone` takes, by name; empty ones are left out."""
+    from fmpy import read_model_description
+
+    variables = read_model_description(str(path), validate=False).modelVariables
+    units = {v.name: v.unit or getattr(v.declaredType, "unit", None) for v in variables}
+    return {name: unit for name, unit in units.items() if unit}
+
+
 def _require_variables(unit: Unit, names: Collection[str]) -> None:
     for name in names:
         if not {name, name.partition("[")[0]} & {"time", *unit.variables}:

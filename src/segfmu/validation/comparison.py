@@ -55,6 +55,7 @@ class Excess:
 def compare(
     result: Mapping[str, FloatArray], reference: Mapping[str, FloatArray], *,
     tube_time: float, tube_value: float | None, relative: bool = False,
+    units: Mapping[str, str] | None = None,
 ) -> list[Excess]:
     """Signals of a result outside of tubes about those of the reference, by time.
 
@@ -71,6 +72,8 @@ def compare(
     tube_value : float or None
         In the unit of each signal; with `relative` a share of the reference's greatest absolute
         value. None: 1e-6 of this, or of the unit where that is more.
+    units : mapping of str to str, optional
+        Of signals, in what is told; by default those of our FMUs.
 
     Raises
     ------
@@ -83,7 +86,7 @@ def compare(
     if len(reference) < 2:
         raise InputError("the reference has no signal beside time: nothing would be compared")
     _require_alike(result, reference, tube_time)
-    times, units = result["time"], signal_units()
+    times, known = result["time"], signal_units() if units is None else units
     found = []
     for name in reference:
         if name == "time":
@@ -100,7 +103,7 @@ def compare(
             first = wrong[0]
             found.append(Excess(
                 name, float(times[first]), float(outside[first]), float(np.fmax.reduce(outside)),
-                units.get(name, ""),
+                known.get(name, ""),
             ))
     return sorted(found, key=lambda e: e.time)
 

@@ -217,6 +217,8 @@ def test_experiments_of_another_tool(pendulum: Path, tmp_path: Path) -> None:
     earthly = foreign(TESTS, NEW.replace('<Parameters source="../moon.ssv"/>', ""))
     _, (other,) = repeat(archive(pendulum, tmp_path / "earth.fmu", earthly), tube_value=1e-3)
     assert not other.alike and other.outside[0].signal == "sway.angle"
+    # of the pendulum, which is none of ours
+    assert str(other.outside[0]).endswith(" rad)")
 
 
 def test_a_result_alone_is_of_the_default_experiment(pendulum: Path, tmp_path: Path) -> None:

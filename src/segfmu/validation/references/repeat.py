@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from segfmu.cosim.alone import run_alone
+from segfmu.cosim.alone import run_alone, units_of
 from segfmu.errors import InputError, SegfmuError
 from segfmu.validation.apart import Apart
 from segfmu.validation.comparison import Excess, compare
@@ -101,7 +101,8 @@ def _repeated(
         # references may have fewer rows, between which they are not linear
         result = {n: np.interp(times, own, v) for n, v in result.items()}
     outside = compare(
-        result, reference, tube_time=tube_time, tube_value=tube_value, relative=relative
+        result, reference, tube_time=tube_time, tube_value=tube_value, relative=relative,
+        units=units_of(path),
     )
     left_out = [n for n in case.references.numbers if n not in names]
     return Repetition(
