@@ -20,3 +20,8 @@ def campaign(usual: int, soak: int, name: str = "count") -> pytest.MarkDecorator
 def soaked(*values: object) -> list[Any]:
     """Values of an argument that only a soak takes: others tell the same in less time."""
     return [pytest.param(value, marks=pytest.mark.soak) for value in values] if SOAK else []
+
+
+def soaked_rows(*rows: tuple[object, ...]) -> list[Any]:
+    """The same of values of several arguments."""
+    return [pytest.param(*row, marks=pytest.mark.soak) for row in rows] if SOAK else []

@@ -46,6 +46,7 @@ from segfmu.kernels.planner import parameters, profile, synchronize
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
 from segfmu.kernels.trajectory import evaluate, motion
+from tests.campaign import SOAK
 from tests.compiler import compiled_kernels
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems, work_space
@@ -62,7 +63,7 @@ def close(a, b) -> bool:
     return np.allclose(a, b, rtol=1e-12, atol=1e-14)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150 if SOAK else 60, deadline=None)
 @given(axis_problems())
 def test_shortest_profiles_agree(problem: AxisProblem) -> None:
     results = []

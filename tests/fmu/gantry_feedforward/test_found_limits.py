@@ -13,6 +13,7 @@ import segfmu.cosim.load
 from segfmu.crane import Friction
 from segfmu.fmu.gantry_feedforward.interface import POINTS
 from segfmu.kernels.crane.records import DriveBounds
+from tests.campaign import soaked_rows
 from tests.fmu.gantry_feedforward.test_drive_bounds import (
     CRANES,
     bound_values,
@@ -59,8 +60,10 @@ def problem(
     return values, arguments
 
 
-@pytest.mark.parametrize(("share", "lag"), [(1.0, 0.0), (0.6, 0.2)])
-@pytest.mark.parametrize("size", CRANES)
+@pytest.mark.parametrize(("size", "share", "lag"), [
+    ("lab", 0.6, 0.2), ("ship to shore", 1.0, 0.0),
+    *soaked_rows(("lab", 1.0, 0.0), ("ship to shore", 0.6, 0.2)),
+])
 def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float, lag: float) -> None:
     rng = np.random.default_rng(8)
     planned = refused = 0

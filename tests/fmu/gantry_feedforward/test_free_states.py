@@ -11,6 +11,7 @@ import pytest
 
 import segfmu
 from segfmu.cosim.load import load
+from tests.campaign import soaked, soaked_rows
 from tests.fmu.gantry_feedforward.test_drive_bounds import (
     CRANES,
     GRAVITY,
@@ -87,8 +88,9 @@ def uses(trajectory: segfmu.Trajectory, masses, bounds: np.ndarray) -> float:
     return float((np.abs(found).max(axis=0) / bounds).max())
 
 
-@pytest.mark.parametrize("share", [1.0, 0.6])
-@pytest.mark.parametrize("size", CRANES)
+@pytest.mark.parametrize(("size", "share"), [
+    ("lab", 0.6), ("ship to shore", 1.0), *soaked_rows(("lab", 1.0), ("ship to shore", 0.6)),
+])
 def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float) -> None:
     rng = np.random.default_rng(6)
     planned = 0
@@ -115,7 +117,7 @@ def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float) -
     assert planned > count / 3
 
 
-@pytest.fixture(scope="module", params=[2, 3])
+@pytest.fixture(scope="module", params=[2, *soaked(3)])
 def built(request, tmp_path_factory: pytest.TempPathFactory):
     """GantryFeedforward as `segfmu build` makes it of the mission with containers."""
     folder = tmp_path_factory.mktemp(f"container{request.param}")

@@ -65,12 +65,11 @@ def test_long_durations_are_always_feasible() -> None:
 def test_gap_of_errata_e10() -> None:
     """Two moving points, 0.3 m apart at 0.5 m/s: about 0.6 s, or more than 2.8 s."""
     problem = AxisProblem(4, 1, (1.0, 1.0, 2.0, 10.0, 0.0), 0.5, 0.0, 0.5, 0.0, 0.3)
-    feasible = [t for t in np.arange(0.58, 4.0, 0.02) if timed(problem, t)[0] >= 0.0]
+    tried = [*np.arange(0.58, 0.8, 0.02), *np.arange(0.8, 4.0, 0.1)]
+    feasible = [t for t in tried if timed(problem, t)[0] >= 0.0]
     assert min(feasible) < 0.62
     assert not [t for t in feasible if 0.8 < t < 2.8]
-    assert [t for t in feasible if t > 3.3] == pytest.approx(
-        [t for t in np.arange(0.58, 4.0, 0.02) if t > 3.3]
-    )
+    assert [t for t in feasible if t > 3.3] == [t for t in tried if t > 3.3]
 
 
 def test_stretching_keeps_the_distance() -> None:

@@ -113,6 +113,8 @@ def test_noise_of_the_integration_tells_no_dead_time_of_a_whole_crane() -> None:
     assert sum(told.values()) >= len(told) - 2
 
 
+@pytest.mark.soak
+@pytest.mark.skipif(not SOAK, reason="takes half a minute; make soak fits the whole crane")
 def test_the_deeper_of_two_valleys_is_found() -> None:
     """From parts of whole pieces alone, four of 16 intervals were wrong."""
     log = synthetic("lab", "force", 124, rows=400)

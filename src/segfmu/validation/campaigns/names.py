@@ -1,6 +1,7 @@
-"""What no run of a campaign could do is refused before the first one, in a process of its own.
+"""What no run of a campaign could do is refused before the first one.
 
-An FMU that ends its process ends that one alone; the runs tell which of them do.
+Where further FMUs take part, in a process of its own: one that ends its process ends that one
+alone, and the runs tell which of them do.
 """
 
 from __future__ import annotations
@@ -32,8 +33,12 @@ def require_names(campaign: Campaign) -> None:
     BuildError
         If the FMUs cannot be built.
     """
-    with on_stderr(), Apart(_checking) as check, suppress(Ended):
-        check(campaign)
+    with on_stderr():
+        if not any(build_scenario(source).file.fmus for source in campaign.source.scenarios):
+            check_names(campaign)
+            return
+        with Apart(_checking) as check, suppress(Ended):
+            check(campaign)
 
 
 @contextmanager
