@@ -8,6 +8,7 @@ import pytest
 from segfmu import FlatInverse, Limits, Waypoint, plan
 from segfmu.crane import Drive, Plant, Sensors, Setpoints, Wind
 from segfmu.crane import Rig as Equipment
+from tests.campaign import soaked
 from tests.crane.loop import Rig, simulate
 from tests.crane.test_tracking import ENCODERS, LAB, T, controller, lags, rig
 
@@ -34,7 +35,7 @@ def move(loop, true: Rig, start=0.0):
 
 
 @pytest.mark.parametrize("driven", [False, True])
-@pytest.mark.parametrize("offset", [-0.04, 0.04])
+@pytest.mark.parametrize("offset", [0.04, *soaked(-0.04)])
 def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offset: float) -> None:
     """5 % of the rope: the load comes to its height, and the sway of the wrong rope goes."""
     longer = np.array([0.0, 0.0, offset, *np.zeros(7)])
@@ -54,9 +55,9 @@ def test_the_offset_of_the_ropes_sensor_is_learnt_on_the_way(driven: bool, offse
 @pytest.mark.parametrize("driven", [False, True])
 @pytest.mark.parametrize(
     "values",
-    [{}, {"payload": 0.5}, {"payload": 1.5}, {"resolution": ENCODERS},
-     {"wind": lambda t: np.array([1.0, 0.5, 0.0]) * (1.0 < t < 1.5)}],
-    ids=["nothing", "light", "heavy", "encoders", "gust"],
+    [{}, {"payload": 0.5}, {"wind": lambda t: np.array([1.0, 0.5, 0.0]) * (1.0 < t < 1.5)},
+     *soaked({"payload": 1.5}, {"resolution": ENCODERS})],
+    ids=lambda values: " ".join(values) or "nothing",
 )
 def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
     loop = controller("flat", driven, wake=1.0, rope_offset=True)
@@ -96,7 +97,7 @@ def blown(driven: bool, wind: Wind, resolution: tuple[float, ...], share: float)
 
 
 @pytest.mark.parametrize("driven", [False, True])
-@pytest.mark.parametrize("resolution", [(0.0,) * 5, ENCODERS], ids=["exact", "encoders"])
+@pytest.mark.parametrize("resolution", [ENCODERS, *soaked((0.0,) * 5)])
 def test_noisy_wind_is_no_offset(driven: bool, resolution: tuple[float, ...]) -> None:
     """Weak to strong noise of wind from the start on: an offset in use is the rare exception."""
     used = [

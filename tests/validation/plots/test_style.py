@@ -16,6 +16,7 @@ from segfmu.validation.plots import plot_path, plot_plan
 from segfmu.validation.plots.campaign import plot_campaign
 from segfmu.validation.plots.style import label
 from segfmu.validation.suite_plots import plot_margins
+from tests.campaign import soaked
 
 # as long as a name can be
 LONG = ("a name that somebody wrote in full sentences " * 3)[:100]
@@ -49,7 +50,7 @@ def motion(name: str, plot: Any, *more: Any) -> Figure:
     return figure
 
 
-@pytest.mark.parametrize("name", [LONG, LONG.upper(), MATHS])
+@pytest.mark.parametrize("name", [LONG, MATHS, *soaked(LONG.upper())])
 @pytest.mark.parametrize("plot", [
     margins, campaign, lambda name: motion(name, plot_plan),
     lambda name: motion(name, plot_path, Clearance([])),
