@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from benchmarks.free_missions import missions
+from benchmarks.free_missions import Mission, missions
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.optimize import minimize
@@ -61,6 +61,17 @@ def test_long_missions_are_planned_and_better_than_with_free_velocities_alone(se
         assert verify(trajectory).passed
         totals[acceleration] = trajectory.duration
     assert totals["free"] <= totals[None]
+
+
+def test_a_long_arc_is_shorter_than_its_halves_with_a_stop_between() -> None:
+    """In each of its first paths some of the 79 intervals are slow; it took twice as long."""
+    arc = list(missions(34, (80, 80), 3))[-1]
+    whole, *halves = (
+        plan(Mission(arc.kind, places, arc.limits).waypoints("free", "free"), arc.bounds)
+        for places in (arc.positions, arc.positions[:41], arc.positions[40:])
+    )
+    assert arc.kind == "arc" and verify(whole).passed
+    assert whole.duration < sum(half.duration for half in halves)
 
 
 def test_polishing_ends_no_later_than_with_free_velocities_alone() -> None:

@@ -1064,7 +1064,7 @@ static double gap_of(int64_t place);
 static bool may_beat(double known, int64_t place, double total);
 static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice);
 static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
-static bool tighten_path(array_double_2d spans);
+static bool tighten_path(bool everywhere, array_double_2d spans);
 static void search_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links);
 static void forget_profiles(int64_t point, int64_t axis, array_double_2d axes, array_double_3d cells);
@@ -32655,7 +32655,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     result = fewest <= spans.shape[INT64_C(0)];
     return result;
 }
-static bool tighten_path(array_double_2d spans)
+static bool tighten_path(bool everywhere, array_double_2d spans)
 {
     bool any_slow;
     int64_t j;
@@ -32666,6 +32666,10 @@ static bool tighten_path(array_double_2d spans)
     any_slow = 0;
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
     {
+        if (everywhere)
+        {
+            (*cspan_at(&spans, j, INT64_C(8))) = 1.0;
+        }
         if ((*cspan_at(&spans, j, INT64_C(8))) != 0.0)
         {
             any_slow = 1;
@@ -32705,6 +32709,7 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
     int64_t begin;
     int64_t end;
     bool resting;
+    double known;
     int64_t sweep;
     bool going_on;
     path = span_row(&tools, INT64_C(0));
@@ -32718,6 +32723,7 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
     (*cspan_at(&path, INT64_C(11))) = 1e+300;
     block_rows(&begin, &end, INT64_C(0), path, choice);
     resting = !is_moving(span_layers(&choice, begin, end));
+    known = (*cspan_at(&path, INT64_C(13)));
     for (sweep = INT64_C(0); sweep < INT64_C(10); sweep += INT64_C(1))
     {
         going_on = try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
@@ -32729,7 +32735,7 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
         {
             return;
         }
-        if (!tighten_path(spans))
+        if (!tighten_path((sweep >= INT64_C(6)) && ((*cspan_at(&path, INT64_C(13))) >= known), spans))
         {
             return;
         }

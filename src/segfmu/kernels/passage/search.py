@@ -49,6 +49,9 @@ TIGHTER = 0.5
 TIGHTENING = 1.4
 TIGHT_ENOUGH = 0.4
 SWEEPS = 10
+# the path behind which all intervals get tighter if the planner has kept up with none: of many
+# intervals some are slow in every path
+LATE = 6
 # states are multiples of their limit over this
 DIGITS = 65536.0
 
@@ -279,6 +282,7 @@ def search_states(
     path[Path.TOTAL] = NEVER
     begin, end = block_rows(Block.GIVEN, path, choice)
     resting = not is_moving(choice[begin:end, :, :])
+    known = path[Path.BEST]
     for sweep in range(SWEEPS):
         going_on = try_path(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
@@ -287,19 +291,21 @@ def search_states(
             path[Path.LOOSEST] = min(path[Path.LOOSEST], path[Path.TOTAL])
         if not going_on:
             return
-        if not tighten_path(spans):
+        if not tighten_path(sweep >= LATE and path[Path.BEST] >= known, spans):
             return
         # the next path is much like this one
         path[Path.FOLLOWED] = resting
 
 
-def tighten_path(spans: 'float[:,:]') -> bool:
+def tighten_path(everywhere: bool, spans: 'float[:,:]') -> bool:
     """Set the degrees of the next path; False if there is none to try.
 
-    An interval that was slow gets tighter; if none was, those that once were get looser.
+    An interval that was slow gets tighter, or all do; if none was, those that once were get looser.
     """
     any_slow = False
     for j in range(spans.shape[0]):
+        if everywhere:
+            spans[j, Stretch.SLOW] = 1.0
         if spans[j, Stretch.SLOW] != 0.0:
             any_slow = True
             degree = spans[j, Stretch.DEGREE]
