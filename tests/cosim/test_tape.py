@@ -9,7 +9,6 @@ import pytest
 
 from segfmu.cosim import Change, System
 from segfmu.errors import InputError, SimulationError
-from tests.campaign import SOAK
 from tests.compiler import needs_loop
 from tests.cosim.test_native import CASES, CHANGES, SINK, SOURCE, STEP, UNKIND
 
@@ -17,11 +16,6 @@ pytestmark = needs_loop
 
 STOP = 0.6
 SWAYS = (0.1, -0.05, 0.0, 0.02)
-# in half of the cases each version, coupling, kind of event and lead meets each of the others
-HALF = [
-    (fmi, coupling, events, lead) for fmi, coupling, events, lead in CASES
-    if SOAK or (fmi + events + (lead > 0.0)) % 2 == (coupling == "parallel")
-]
 
 
 def refuse(*_: Any) -> None:
@@ -45,7 +39,7 @@ def disturbed(sway: float, **plan: float) -> dict[str, dict[str, float]]:
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize(("fmi", "coupling", "events", "lead"), HALF)
+@pytest.mark.parametrize(("fmi", "coupling", "events", "lead"), CASES)
 def test_rows_are_those_of_the_planner(native_fmus, fmi, coupling, events, lead) -> None:
     """Changes of the crane at times of their own, a plan that changes, and another end."""
     times = {"stop_time": STOP, "changes": [c for c in CHANGES if c.time < STOP]}

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from benchmarks.coming_inside import ratios
 
+from tests.campaign import soaked_rows
 from tests.kernels.planner.c_planner import Planner
 from tests.property.soak_outside import try_ruckig, try_states
 
@@ -27,7 +28,7 @@ def test_no_problem_of_the_recipe_of_ruckig_is_refused() -> None:
     assert tally.wrong == []
 
 
-@pytest.mark.parametrize(("n", "worst"), [(2, 1.002), (3, 1.02), (4, 1.02)])
+@pytest.mark.parametrize(("n", "worst"), [(2, 1.002), (3, 1.02), *soaked_rows((4, 1.02))])
 def test_states_come_inside_in_about_the_least_time(n: int, worst: float) -> None:
     found = ratios(n, 8, 7)
     assert np.max(found) < worst

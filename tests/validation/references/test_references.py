@@ -21,6 +21,7 @@ from segfmu.fmu.standard.ls_ref import FOLDER, MANIFEST, read_experiments, read_
 from segfmu.validation.archives import build
 from segfmu.validation.references.archive import read_references
 from segfmu.validation.references.repeat import repeat
+from tests.campaign import soaked
 from tests.compiler import needs_native, require_native
 from tests.cosim.probe.build import build as build_probe
 from tests.fmu.pendulum.model import PENDULUM
@@ -128,7 +129,7 @@ def compared(monkeypatch: pytest.MonkeyPatch, *arguments: object) -> int:
     return cli.run()
 
 
-@pytest.fixture(scope="module", params=[2, 3])
+@pytest.fixture(scope="module", params=[3, *soaked(2)])
 def proven(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     """Planner and crane of the paper's mission, with references."""
     require_native()

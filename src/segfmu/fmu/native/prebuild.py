@@ -8,13 +8,15 @@ sources are theirs, and then needs no compiler.
 from __future__ import annotations
 
 import os
+from lzma import LZMAError
 from pathlib import Path
+from tarfile import TarError
 
 from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import VERSIONS, sources
 from segfmu.fmu.native.binaries import binary, packaged_name
 from segfmu.fmu.native.compilers import BROWSER, TARGETS, portable
-from segfmu.fmu.native.packed import pack
+from segfmu.fmu.native.packed import pack, unpack
 from segfmu.fmu.native.processes import on_all_cores
 from segfmu.fmu.pairs import PAIRS
 
@@ -60,12 +62,21 @@ def _library(job: Job) -> tuple[str, bytes]:
 
 
 def _write(platform: str, libraries: dict[str, bytes]) -> str:
-    content = pack(libraries)
+    """Write the archive, if it is another one than before: to compress it takes seconds."""
     path = TARGET / f"{platform}.tar.xz"
-    beside = path.with_suffix(".new")
-    beside.write_bytes(content)
-    os.replace(beside, path)
-    return f"{path.name}: {len(content) / 1024:.0f} KiB"
+    if _kept(path) != libraries:
+        beside = path.with_suffix(".new")
+        beside.write_bytes(pack(libraries))
+        os.replace(beside, path)
+    return f"{path.name}: {path.stat().st_size / 1024:.0f} KiB"
+
+
+def _kept(path: Path) -> dict[str, bytes] | None:
+    """What an archive has; None where there is none, or a damaged one."""
+    try:
+        return unpack(path.read_bytes())
+    except (OSError, LZMAError, TarError):
+        return None
 
 
 if __name__ == "__main__":
