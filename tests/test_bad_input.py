@@ -267,6 +267,8 @@ LONG = {
     ("a = 1\n[[ a ]] # again\n", "a is there twice (at line 2)"),
     ("[a.b]\n\n[a.b]\n", "a.b is there twice (at line 3)"),
     ("a = { b = 1 }\na.c = 2\n", "a.c is there twice (at line 2)"),
+    ('"a+b" = 1\n"a+b" = 2\n', '"a+b" is there twice (at line 2)'),
+    ('x = 1\n"q =[" = 2\n"q =[" = 3\n', '"q =[" is there twice (at line 3)'),
 ])
 def test_a_key_that_is_there_twice_is_told(text: str, told: str, tmp_path: Path) -> None:
     files(tmp_path, text)

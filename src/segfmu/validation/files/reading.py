@@ -31,7 +31,9 @@ SIZES = {
 LENGTHS = {"too_short": ("min_length", "at least"), "too_long": ("max_length", "at most")}
 # what tomllib says of keys and tables that are there twice, and a line that begins with one
 DOUBLE = re.compile("Cannot (overwrite|declare|mutate)")
-KEY = re.compile(r"""\s*(?:([\w."' -]+?)\s*=|\[+\s*([a-zA-Z_"'][^\]]*?)\s*\]+\s*(?:#|$))""")
+_PART = r"""(?:"(?:[^"\\]|\\.)*"|'[^']*'|[^\s"'=#.,\[\]{}]+)"""
+_NAME = rf"({_PART}(?:\s*\.\s*{_PART})*)\s*"
+KEY = re.compile(rf"\s*(?:{_NAME}=|\[+\s*(?![\d+-]){_NAME}\]+\s*(?:#|$))")
 # findings about the type of a value, and words
 TYPES = {"model_type": "table", "dict_type": "table", "list_type": "list"}
 
@@ -102,6 +104,8 @@ def _doubled(text: str, cause: str) -> str:
     end = re.search(r"line (\d+)", cause)
     lines = text.split("\n")[: int(end[1]) if end else None]
     found = [(n, key[1] or key[2]) for n, line in enumerate(lines, 1) if (key := KEY.match(line))]
+    if not found:
+        return cause
     number, name = found[-1]
     return f"{name} is there twice (at line {number})"
 
