@@ -18,8 +18,8 @@ SMALL = 0.1
 LEAST_LAG, LEAST_MASS = 1e-2, 1e-3
 # share of its scale from which on what cannot be negative is searched: at a bound there is no way
 FROM = 0.3
-# greatest zero of the rope as a share of its shortest length: what is farther away is another
-# column, and a load on hardly any rope turns so fast that runs do not end
+# greatest zero of the rope as a share of its shortest length: a load on hardly any rope turns so
+# fast that runs do not end. A rope may be longer than what is measured by any sling
 FARTHEST = 0.5
 # greatest damping ratio of the sway: of cranes it is a few per cent, from 1 on nothing sways
 MOST_DAMPED = 0.5
@@ -148,20 +148,19 @@ def quantity(key: str, crane: CraneFile, value: Callable[[str], Any], sizes: Siz
     scale = make(sizes, next((i for i, a in enumerate(DRIVES) if a in key.split(".")), 0))
     # friction that breaks away is not below the one that slides
     static = float(value(variable.replace(".coulomb", ".static"))) if "coulomb" in key else 0.0
-    most = _most(key, sizes)
-    low, high = max(least * scale, -most), min(static or inf, most)
+    low, high = least * scale, min(static or inf, _most(key, sizes))
     start = min(max(before, low if least < 0.0 else FROM * scale), high)
     factor = degrees(1.0) if entry.key.unit == "deg" else 1.0
     return Quantity(key, variable, entry.key.unit, factor, before, start, scale, low, high)
 
 
 def _most(key: str, sizes: Sizes) -> float:
-    """The greatest size that a key has on cranes."""
+    """The greatest value that a key has on cranes."""
     if key == "sensors.rope.zero":
         return FARTHEST * sizes.shortest
     if key == "friction.sway.viscous":
-        period = sqrt(sizes.shortest / sizes.gravity)
-        return MOST_DAMPED * 2.0 * sizes.masses[2] * sizes.shortest**2 / period
+        time = sqrt(sizes.shortest / sizes.gravity)
+        return MOST_DAMPED * 2.0 * sizes.masses[2] * sizes.shortest**2 / time
     return inf
 
 
