@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.crane.newton import accelerations
+from tests.crane.newton import accelerations, swings
 
 Signal = Callable[[float], np.ndarray]
 
@@ -59,10 +59,8 @@ class Rig:
 
     def prescribed(self, state: np.ndarray, wanted: np.ndarray, wind: np.ndarray) -> np.ndarray:
         """Accelerations where those of bridge, trolley and rope are given; forces follow."""
-        found = [accelerations(state[:10], f, wind, *self.masses) for f in np.eye(3)]
-        base = accelerations(state[:10], np.zeros(3), wind, *self.masses)
-        columns = np.array(found).T - base[:, None]
-        return base + columns @ np.linalg.solve(columns[:3], wanted - base[:3])
+        _, *swung = swings(state[:10], wanted[0], wanted[1], wind, *self.masses[2:])
+        return np.array([*wanted, *swung])
 
 
 def simulate(

@@ -24,24 +24,31 @@ def accelerations(state, force, wind, bridge, trolley, payload, gravity) -> np.n
     In numbers of Python: tests integrate this by the hundred thousand, and arrays of three take
     ten times as long.
     """
-    _, _, length, phi_x, phi_y, _, _, rope_rate, rate_x, rate_y = map(float, state)
     pull_x, pull_y, pull = map(float, force)
-    sx, cx, sy, cy = sin(phi_x), cos(phi_x), sin(phi_y), cos(phi_y)
-    # unit vectors along the rope and, across it, along growing phi_x and phi_y
-    along, across, side = (sx, -cx * sy, -cx * cy), (cx, sx * sy, sx * cy), (0.0, -cy, sy)
+    along = sin(state[3]), -cos(state[3]) * sin(state[4])
     # the rope force acts on the load along the rope and on the trolley against it
     x = (pull_x - pull * along[0]) / (bridge + trolley)
     y = (pull_y - pull * along[1]) / trolley
-    relative = [
-        (pull * part + float(blown)) / payload - moved
-        for part, blown, moved in zip(along, wind, (x, y, gravity), strict=True)
-    ]
-    lifted, swung, turned = (
-        sum(a * b for a, b in zip(relative, unit, strict=True)) for unit in (along, across, side)
+    lifted, swung, turned = swings(state, x, y, wind, payload, gravity)
+    return np.array([x, y, lifted + pull / payload, swung, turned])
+
+
+def swings(state, x, y, wind, payload, gravity) -> tuple[float, float, float]:
+    """Those of l, without the rope's force, of phi_x and of phi_y, under a trolley's (x, y).
+
+    The rope's force is along the rope: no other second derivative of the load has a part of it.
+    """
+    _, _, length, phi_x, phi_y, _, _, rope_rate, rate_x, rate_y = map(float, state)
+    sx, cx, sy, cy = sin(phi_x), cos(phi_x), sin(phi_y), cos(phi_y)
+    # unit vectors along the rope and, across it, along growing phi_x and phi_y
+    along, across, side = (sx, -cx * sy, -cx * cy), (cx, sx * sy, sx * cy), (0.0, -cy, sy)
+    a, b, c = (
+        float(blown) / payload - moved for blown, moved in zip(wind, (x, y, gravity), strict=True)
     )
+    lifted, swung, turned = (a * e + b * f + c * g for e, f, g in (along, across, side))
     # of the position l e(phi_x, phi_y), with e_y = cx side: what its second derivative has without
     # the second derivatives of l, phi_x and phi_y, along these vectors
     lifted += length * (rate_x**2 + (cx * rate_y) ** 2)
     swung -= 2.0 * rope_rate * rate_x + length * sx * cx * rate_y**2
     turned -= 2.0 * rope_rate * cx * rate_y - 2.0 * length * sx * rate_x * rate_y
-    return np.array([x, y, lifted, swung / length, turned / (length * cx)])
+    return lifted, swung / length, turned / (length * cx)

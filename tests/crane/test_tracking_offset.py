@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -9,29 +11,41 @@ from segfmu import FlatInverse, Limits, Waypoint, plan
 from segfmu.crane import Drive, Plant, Sensors, Setpoints, Wind
 from segfmu.crane import Rig as Equipment
 from tests.campaign import soaked
-from tests.crane.loop import Rig, simulate
+from tests.crane.loop import Rig, Signal, simulate
 from tests.crane.test_tracking import ENCODERS, LAB, T, controller, lags, rig
 
 
-def move(loop, true: Rig, start=0.0):
-    """States under a move with hoisting, by Newton's laws, and those of the plan."""
+@cache
+def planned() -> tuple[FlatInverse, float]:
+    """A move with hoisting, and its duration [s]."""
     points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
     trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
-    inverse = FlatInverse(LAB, trajectory)
+    return FlatInverse(LAB, trajectory), trajectory.duration
 
-    def given(time: float) -> np.ndarray:
-        if not true.driven:
-            return inverse.force(np.array([time]))[0]
-        # the slope of the velocity commands, which compensate the lag
-        now, later = inverse.evaluate(np.array([time, time + 1e-4]))[:, 13:16]
-        return now + np.array(true.lag) * (later - now) / 1e-4
 
-    def planned(time: float) -> np.ndarray:
-        return inverse.state(np.array([time]))[0]
+@cache
+def followed(driven: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Its states and what the drives are given, every half tick until it has rested for 2 s."""
+    inverse, duration = planned()
+    times = T / 2.0 * np.arange(2 * round(round(duration + 2.0) / T) + 1)
+    if not driven:
+        return inverse.state(times), inverse.force(times)
+    # the slope of the velocity commands, which compensate the lag
+    now, later = (inverse.evaluate(t)[:, 13:16] for t in (times, times + 1e-4))
+    return inverse.state(times), now + np.array(lags(driven)) * (later - now) / 1e-4
 
-    duration = round(trajectory.duration + 2.0)
-    states, _ = simulate(true, loop, planned(0.0) + start, duration, planned, given)
-    return states, np.array([planned(i * T) for i in range(len(states))])
+
+def move(loop, true: Rig, start=0.0):
+    """States under it, by Newton's laws, and those of the plan."""
+    states, given = followed(true.driven)
+
+    def at(rows: np.ndarray) -> Signal:
+        return lambda time: rows[round(2.0 * time / T)]
+
+    found, _ = simulate(
+        true, loop, states[0] + start, T / 2.0 * (len(states) - 1), at(states), at(given)
+    )
+    return found, states[::2]
 
 
 @pytest.mark.parametrize("driven", [False, True])
@@ -75,13 +89,10 @@ def test_what_is_no_offset_is_not_taken_for_one(driven: bool, values) -> None:
 
 def blown(driven: bool, wind: Wind, resolution: tuple[float, ...], share: float) -> np.ndarray:
     """Offsets in use at the ticks of a move in the wind; the sensor's is a share of the rope."""
-    points = [Waypoint([-0.25, -0.3, -0.8]), Waypoint([0.25, 0.3, -0.7])]
-    trajectory = plan(points, Limits([0.22, 0.22, 0.2], 0.3, 0.8, 6.0), smoothness=5)
-    times = T * np.arange(round((trajectory.duration + 1.0) / T))
-    values = FlatInverse(LAB, trajectory).evaluate(times)
+    inverse, duration = planned()
+    values = inverse.evaluate(T * np.arange(round((duration + 1.0) / T)))
     velocity = values[:, 8:11] + lags(driven)[0] * values[:, 13:16]
-    aims = [Setpoints(f, v, r) for f, v, r in zip(values, velocity, values[:, 3:13], strict=True)]
-    aims = [Setpoints(aim.force[:3], aim.velocity, aim.reference) for aim in aims]
+    aims = list(map(Setpoints, values[:, :3], velocity, values[:, 3:13]))
     drive, offset = Drive(lag=lags(driven)[0]), 0.8 * share
     equipment = Equipment(
         drive, drive, drive, wind=wind,

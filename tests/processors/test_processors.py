@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.campaign import soaked
 from tests.compiler import needs_kernels
 from tests.processors.agreement import TOLERANCE, Difference, durations
 from tests.processors.problems import Problem, problems, rewritten
@@ -53,13 +54,13 @@ def test_durations_are_those_of_other_processors(
 
 
 @needs_kernels
-@pytest.mark.parametrize(
-    "options", [("-O0", "-ffp-contract=off"), ("-O1", "-fexpensive-optimizations", *FUSED)]
-)
+@pytest.mark.parametrize("options", [
+    ("-O1", "-fexpensive-optimizations", *FUSED), *soaked(("-O0", "-ffp-contract=off")),
+])
 def test_durations_are_those_of_kernels_compiled_otherwise(
     options: tuple[str, ...], given: list[Problem], expected: np.ndarray, tmp_path: Path
 ) -> None:
-    """Without optimisation, and with FMA; the command has them all.
+    """With FMA, in a soak also without optimisation; the command has them all.
 
     GCC takes FMA by an optimisation of -O2, whose others would take half as long again.
     """

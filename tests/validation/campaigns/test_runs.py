@@ -28,7 +28,7 @@ from segfmu.validation.campaigns.replay import write_run
 from segfmu.validation.campaigns.result import CampaignResult, load_result
 from segfmu.validation.files.scenario_file import Source, load_scenario
 from segfmu.validation.suite import Runner
-from tests.campaign import SOAK
+from tests.campaign import SOAK, soaked
 from tests.compiler import require_native
 from tests.cosim.probe.build import build
 from tests.validation.campaigns.files import (
@@ -198,7 +198,8 @@ def rows(out: Path) -> int:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGKILL")
-@pytest.mark.parametrize("name", ["campaign", "search"])
+# tests/validation/campaigns/test_search.py interrupts searches in a process that goes on
+@pytest.mark.parametrize("name", ["campaign", *soaked("search")])
 def test_a_killed_campaign_goes_on_where_it_was(
     name: str, tmp_path_factory: pytest.TempPathFactory, tmp_path: Path
 ) -> None:
