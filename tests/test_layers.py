@@ -96,3 +96,13 @@ def test_importing_segfmu_loads_nothing_heavy() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )
     assert result.stdout.strip() == "[]"
+
+
+def test_what_writes_a_report_of_a_run_loads_no_statistics() -> None:
+    """They take half a second; those of campaigns need them, which are in the same package."""
+    heavy = {"scipy.stats", "scipy.optimize", "distributed", "pyarrow"}
+    code = f"import segfmu.validation.report, sys; print(sorted(set(sys.modules) & {heavy!r}))"
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert result.stdout.strip() == "[]"

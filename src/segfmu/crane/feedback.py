@@ -9,6 +9,7 @@ sqrt(g / l), so that one set of weights suits every crane.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -102,6 +103,8 @@ class SwayFeedback:
         object.__setattr__(self, "table", table)
 
 
+# the interface of an FMU is described several times in a build, with the same table of gains
+@lru_cache(maxsize=1024)
 # numbers that are too large are refused below, with their names
 @np.errstate(all="ignore")
 def gain(
@@ -110,9 +113,9 @@ def gain(
     sample_time: float,
     weights: Weights,
     driven: bool,
-    lag: FloatArray,
+    lag: tuple[float, ...],
     dead_time: float = 0.0,
-    strongest: FloatArray | None = None,
+    strongest: tuple[float, ...] | None = None,
 ) -> FloatArray:
     """Discrete-time LQR gain at one rope length, shape (3, 11); a row is a `GainInputs`.
 
@@ -123,7 +126,7 @@ def gain(
     """
     lagging = np.flatnonzero(lag) if driven else np.zeros(0, dtype=int)
     kept = [*range(State.SIZE), *(State.SIZE + lagging)]
-    a, b = lagged(*linearised(crane, length, driven), lag, driven)
+    a, b = lagged(*linearised(crane, length, driven), np.array(lag), driven)
     ad, bd = sampled(a[np.ix_(kept, kept)], b[kept], sample_time)
     frequency = np.sqrt(crane.gravity / length)
     coordinates = np.array([1.0 / length] * 3 + [1.0] * 2)
@@ -136,7 +139,7 @@ def gain(
     patience = np.maximum(late, 1.0) ** 4
     largest = EFFORT * unit * crane.gravity
     if strongest is not None:
-        weak = strongest[: Axes.ROPE] / (weak_drive() * unit[: Axes.ROPE] * crane.gravity)
+        weak = np.array(strongest[: Axes.ROPE]) / (weak_drive() * unit[: Axes.ROPE] * crane.gravity)
         largest[: Axes.ROPE] *= np.minimum(weak, 1.0)
     # corrections as shares of the largest: a solver finds no gain where N are large and m small
     bd = bd * largest
@@ -222,8 +225,10 @@ def design(
     most = None if strongest is None else sized("strongest", strongest, Axes.SIZE)
     for value in () if most is None else most:
         require_positive("strongest correction", value)
+    bounds = None if most is None else tuple(most.tolist())
     table = [
-        gain(crane, float(x), sample_time, chosen, driven, lags, dead_time, most) for x in lengths
+        gain(crane, float(x), sample_time, chosen, driven, tuple(lags.tolist()), dead_time, bounds)
+        for x in lengths
     ]
     return SwayFeedback(sample_time, lengths, np.array(table), crane.payload_mass)
 

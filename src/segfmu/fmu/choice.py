@@ -90,16 +90,20 @@ def _backend(fmi: int, backend: str, platforms: str, everywhere: bool) -> Choice
         if fmi == 3 or names:
             raise InputError("backend python has neither FMI 3 nor platforms; use native")
         return Choice(native=False)
-    ready = packaged((m.name, sources(m.name, fmi)) for m in registered())
-    if names or (ready and everywhere):
-        return Choice(True, fmi, names or ready)
-    if fmi == 3 or available() or host() in ready:
-        return Choice(True, fmi)
+    if not names and everywhere:
+        names = _packaged(fmi)
+    if names or fmi == 3 or available() or host() in _packaged(fmi):
+        return Choice(True, fmi, names)
     return Choice(
         native=False,
         note="no C compiler found; built with the Python backend. Install a C compiler, or the "
         "extra segfmu[platforms]",
     )
+
+
+def _packaged(fmi: int) -> tuple[str, ...]:
+    """Platforms whose binaries of all models come with the package: to look takes half a second."""
+    return packaged((m.name, sources(m.name, fmi)) for m in registered())
 
 
 def _require_one_of(name: str, value: object, known: tuple[str, ...]) -> None:

@@ -13,7 +13,6 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.stats import t as student
 
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.probability import CONFIDENCE
@@ -189,6 +188,8 @@ def _difference(own: CampaignResult, other: CampaignResult, name: str) -> Differ
 
 def _interval(found: dict[int, float], draws: int) -> tuple[float | None, float | None]:
     """Of the mean over all draws; scenarios share their draws, so that one counts once."""
+    from scipy.stats import t as student
+
     if not draws:
         return None, None
     shared: defaultdict[int, list[float]] = defaultdict(list)

@@ -9,8 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
-from scipy.stats import binomtest
-
 CONFIDENCE = 0.95
 
 
@@ -34,6 +32,8 @@ class Probability:
         One-sided if none or all of the draws fail, since the other end is 0 or 1 by itself;
         two-sided, with 2.5 % at each end, in between.
         """
+        from scipy.stats import binomtest
+
         kind = {0: "less", self.draws: "greater"}.get(self.failed, "two-sided")
         found = binomtest(self.failed, self.draws, alternative=kind).proportion_ci(CONFIDENCE)
         return float(found.low), float(found.high)

@@ -9,7 +9,6 @@ from math import exp, log, prod
 from typing import Any
 
 import numpy as np
-from scipy.stats import qmc
 
 from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
@@ -70,6 +69,8 @@ def _random(sampling: SamplingTable, factors: Sequence[FactorTable]) -> Iterator
 
 def places(sampling: SamplingTable, dimensions: int, count: int) -> FloatArray:
     """Points in the unit cube that are drawn at random, shape (count, dimensions)."""
+    from scipy.stats import qmc
+
     kind, seed = sampling.kind, sampling.seed
     if kind == "sobol" and dimensions > qmc.Sobol.MAXDIM:
         raise InputError(f"sampling: sobol has at most {qmc.Sobol.MAXDIM} factors")

@@ -16,7 +16,6 @@ from math import inf, isnan, prod
 from typing import Any
 
 import numpy as np
-from scipy.optimize import differential_evolution
 
 from segfmu.arrays import FloatArray
 from segfmu.validation.campaigns.sampling import Sample, at, levels, places
@@ -108,6 +107,8 @@ class _Search:
 
     def _evolve(self, points: FloatArray, seed: int) -> None:
         """One evolution from the best of points, shape (points, factors)."""
+        from scipy.optimize import differential_evolution
+
         margins = self._values(points.T)
         known = margins[np.isfinite(margins)]
         scatter = float(np.ptp(known)) if known.size else 0.0

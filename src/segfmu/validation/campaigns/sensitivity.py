@@ -14,8 +14,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.stats import f as f_distribution
-from scipy.stats import rankdata
 
 from segfmu.arrays import FloatArray
 
@@ -57,6 +55,8 @@ def sensitivities(
     margins : mapping of str to sequence of float
         None for runs without one. Such runs are left out.
     """
+    from scipy.stats import rankdata
+
     found = []
     for criterion, margin in margins.items():
         known = [
@@ -79,6 +79,8 @@ class _Design:
 
 
 def _design(values: Sequence[Any]) -> _Design:
+    from scipy.stats import rankdata
+
     signed = all(isinstance(v, int | float) and not isinstance(v, bool) for v in values)
     if signed:
         table = np.reshape(rankdata(values), (len(values), 1))
@@ -93,6 +95,8 @@ def _effect(
     criterion: str, name: str, designs: Mapping[str, _Design], ranks: FloatArray
 ) -> Sensitivity | None:
     """The effect of one factor; None where there is nothing to tell."""
+    from scipy.stats import f as f_distribution
+
     own, signed = designs[name].columns, designs[name].signed
     if ranks.size < 3 or not own.size:
         return None

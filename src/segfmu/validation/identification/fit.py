@@ -11,7 +11,6 @@ from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 from scipy.optimize import least_squares
-from scipy.stats import t as student
 
 from segfmu.arrays import FloatArray
 from segfmu.errors import InputError
@@ -107,6 +106,8 @@ class Problem:
         )))
 
     def _student(self) -> float:
+        from scipy.stats import t as student
+
         return float(student.ppf(0.5 + 0.5 * CONFIDENCE, self._left()))
 
     def begin(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
