@@ -72,7 +72,7 @@ def completed(factory: pytest.TempPathFactory, name: str, text: str) -> Campaign
     """A campaign's result, uninterrupted on one worker, which all workers of the tests share."""
     require_native()
     folder = shared(
-        factory, name, lambda f: process(write(f, text), "-o", f / "out", "--jobs", "1")
+        factory, name, lambda f: run(write(f, text), "-o", f / "out", "--jobs", "1")
     )
     return load_result(folder / "out")
 

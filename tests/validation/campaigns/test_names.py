@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import pytest
+import dask
 
 from segfmu.validation.campaigns.result import load_result
 from tests.compiler import needs_native
 from tests.cosim.probe.build import build
-from tests.validation.campaigns.files import SCENARIO, process, write
+from tests.validation.campaigns.files import SCENARIO, run, write
 
 # aborts, but for a run that has another status
 PROBE = """
@@ -32,15 +32,13 @@ values = [0, 99]
 
 
 @needs_native
-def test_a_scenario_whose_fmu_ends_the_process_costs_its_runs_alone(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    # Dask begins a worker anew less often than the usual three times
-    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES", "0")
+def test_a_scenario_whose_fmu_ends_the_process_costs_its_runs_alone(tmp_path: Path) -> None:
     probe = build(tmp_path, 2).as_posix()
     path = write(tmp_path, DYING, SCENARIO + PROBE.format(path=probe))
-    process(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
+    # Dask begins a worker anew less often than the usual three times
+    with dask.config.set({"distributed.scheduler.allowed-failures": 0}):
+        run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
     result = load_result(tmp_path / "out")
-    ((run, error),) = result.errors
-    assert run == 1 and "died" in error
+    ((number, error),) = result.errors
+    assert number == 1 and "died" in error
     assert result.column("margin.follows")[0] is not None
