@@ -62,6 +62,7 @@ def both(
     return rows[0]
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize(("fmi", "coupling", "events", "lead"), CASES)
 @pytest.mark.parametrize("changes", [(), CHANGES], ids=["plain", "changes"])
 def test_couplings_and_events(native_fmus, fmi, coupling, events, lead, changes) -> None:

@@ -85,6 +85,7 @@ def test_every_output_moves(case) -> None:
     assert still == []
 
 
+@pytest.mark.soak
 def test_every_parameter_and_input_acts(case) -> None:
     runs, spec, scenarios, told = case
     told = dict(told)
@@ -92,7 +93,9 @@ def test_every_parameter_and_input_acts(case) -> None:
     idle = []
     # the scenario in which the last variable of a group acted is the first one for the next
     last: dict[str, str] = {}
-    for variable in spec.where("parameter", "input"):
+    # Python reads all rows in one loop; C by a table that has each
+    variables = list(spec.where("parameter", "input"))
+    for variable in few_rows(variables) if isinstance(runs, SlaveBench) else variables:
         if variable.name in refusing:
             continue
         group = re.split(r"[.\[]", variable.name)[0]
@@ -106,6 +109,16 @@ def test_every_parameter_and_input_acts(case) -> None:
         else:
             last[group] = found
     assert idle == []
+
+
+def few_rows(variables: list[Variable]) -> list[Variable]:
+    """Without the rows between the second and the last one, which a soak takes as well."""
+    places = [re.match(r"(.+)\[(\d+)\]", variable.name) for variable in variables]
+    last = {place[1]: int(place[2]) for place in places if place}
+    return [
+        variable for variable, place in zip(variables, places, strict=True)
+        if SOAK or not place or int(place[2]) in (1, 2, last[place[1]])
+    ]
 
 
 def rows_of_the_table(variable: Variable, spec: Spec) -> dict[str, Scenario]:

@@ -63,6 +63,7 @@ def close(a, b) -> bool:
     return np.allclose(a, b, rtol=1e-12, atol=1e-14)
 
 
+@pytest.mark.soak
 @settings(max_examples=150 if SOAK else 60, deadline=None)
 @given(axis_problems())
 def test_shortest_profiles_agree(problem: AxisProblem) -> None:

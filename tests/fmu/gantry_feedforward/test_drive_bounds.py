@@ -190,6 +190,7 @@ def lag_values(lag: float) -> dict[str, float]:
     return {f"drive.{d}.lag": lag for d in ("bridge", "trolley", "hoist")}
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize("lag", [0.0, 0.5])
 @pytest.mark.parametrize("crane", CRANES)
 def test_whatever_is_changed_bounds_are_kept_or_named(native_fmus, crane, lag) -> None:

@@ -60,6 +60,7 @@ def problem(
     return values, arguments
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize(("size", "share", "lag"), [
     ("lab", 0.6, 0.2), ("ship to shore", 1.0, 0.0),
     *soaked_rows(("lab", 1.0, 0.0), ("ship to shore", 0.6, 0.2)),
@@ -67,7 +68,7 @@ def problem(
 def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float, lag: float) -> None:
     rng = np.random.default_rng(8)
     planned = refused = 0
-    for _ in range(100 if os.environ.get("SEGFMU_SOAK") else 6):
+    for _ in range(100 if os.environ.get("SEGFMU_SOAK") else 3):
         values, arguments = problem(rng, size, share, lag)
         found = initialised(native_fmus[2][0], values)
         try:

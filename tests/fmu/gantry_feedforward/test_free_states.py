@@ -88,6 +88,7 @@ def uses(trajectory: segfmu.Trajectory, masses, bounds: np.ndarray) -> float:
     return float((np.abs(found).max(axis=0) / bounds).max())
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize(("size", "share"), [
     ("lab", 0.6), ("ship to shore", 1.0), *soaked_rows(("lab", 1.0), ("ship to shore", 0.6)),
 ])
