@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zipfile
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,8 @@ def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
 
 def _describe(path: Path, folder: Path) -> Any:
     try:
-        description = read_model_description(str(path))
+        found = path.stat()
+        description = _description(str(path), (found.st_ino, found.st_size, found.st_mtime_ns))
         with temporary_files():
             extract(str(path), unzipdir=str(folder), include=_runs)
     except InputError:
@@ -64,6 +66,12 @@ def _describe(path: Path, folder: Path) -> Any:
             f"{path}: the master needs co-simulation of FMI 2.0 or 3.0, this is FMI {version}"
         )
     return description
+
+
+@lru_cache(maxsize=16)
+def _description(path: str, _: tuple[int, ...]) -> Any:
+    """The description in an archive, read once while its file stays the same."""
+    return read_model_description(path)
 
 
 def _runs(name: str) -> bool:

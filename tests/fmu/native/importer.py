@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import shutil
 import tempfile
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,8 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave, fmi3LogMessageCallback
 
+# each archive once: nothing changes what was read
+described = lru_cache(lambda path, changed: read_model_description(path))
 GROUPS = {"Float64": "Float64", "Int32": "Int32", "Boolean": "Boolean", "Enumeration": "Int64"}
 
 
@@ -22,7 +25,7 @@ class Importer:
     def __init__(self, path: Path, kind: str = "CoSimulation", **options: Any) -> None:
         self.folder = Path(tempfile.mkdtemp())
         extract(str(path), unzipdir=str(self.folder))
-        self.description = read_model_description(str(path))
+        self.description = described(str(path), path.stat().st_mtime_ns)
         self.variables = {v.name: v for v in self.description.modelVariables}
         self.three = self.description.fmiVersion.startswith("3")
         self.messages: list[str] = []
