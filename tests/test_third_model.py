@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+import segfmu
 from tests.test_seam import SOURCE, TOUCHED
 
 THIRD = Path(__file__).parent / "third"
@@ -83,12 +84,18 @@ def test_no_other_file_is_edited() -> None:
 
 
 def test_a_third_crane_is_planned_simulated_and_read_from_files(package: Path) -> None:
+    """Its plan within drives lasts as long as that of a gantry crane with both masses."""
     done = subprocess.run(
         [sys.executable, str(THIRD / "check.py")], cwd=package.parent, capture_output=True,
         env={**os.environ, "PYTHONPATH": str(package.parent), "SEGFMU_INTERPRETED": "1"},
         text=True, check=False,
     )
     assert done.returncode == 0, done.stderr
+    heavy = segfmu.Crane(2.2, 1.155, 1.5, rope_min=0.2, rope_max=1.5)
+    along = [segfmu.Waypoint([x, 0.0, -0.9]) for x in (0.0, 0.6)]
+    bounds = segfmu.ActuatorBounds(force=[4.0, 3.0, 17.0], velocity=0.6)
+    found = segfmu.plan_actuated(heavy, along, None, bounds).trajectory.duration
+    assert float(done.stdout) == pytest.approx(found, rel=1e-9)
 
 
 def test_its_kernels_are_translated_with_the_others(package: Path) -> None:

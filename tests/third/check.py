@@ -25,12 +25,11 @@ class Idle:
 
 
 def planning() -> None:
-    """Plans within drives and setpoints are those of a load of both masses."""
+    """Setpoints are those of a load of both masses; prints the duration within drives."""
     bounds = segfmu.ActuatorBounds(force=[4.0, 3.0, 17.0], velocity=0.6)
     # along one axis: interpreted kernels search for six seconds an axis
     along = [POINTS[0], segfmu.Waypoint([0.6, 0.0, -0.9])]
-    one, other = (segfmu.plan_actuated(c, along, None, bounds) for c in (OWN, HEAVY))
-    assert one.trajectory.duration == other.trajectory.duration
+    print(segfmu.plan_actuated(OWN, along, None, bounds).trajectory.duration)
     trajectory = segfmu.plan(POINTS, LIMITS)
     times = np.linspace(0.0, trajectory.duration, 101)
     for name in ("force", "velocity", "state"):

@@ -14,6 +14,7 @@ from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
 from segfmu.fmu.native import compilers
 from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
+from tests.campaign import soaked
 from tests.fmu.native.importer import Importer
 
 MODEL, NAME = "FurtherCrane", "load.slant"
@@ -27,7 +28,7 @@ def further(own: Spec | None = None) -> Spec:
     return replace(known, name=MODEL, variables=(*others, speed, time))
 
 
-@pytest.fixture(scope="module", params=[2, 3])
+@pytest.fixture(scope="module", params=[3, *soaked(2)])
 def built(request, tmp_path_factory) -> Path:
     with pytest.MonkeyPatch.context() as patch:
         model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import segfmu
+from tests.campaign import soaked_rows
 from tests.validation.live.compiler import needs_wasm
 from tests.validation.live.firefox import Firefox, firefox, needs_firefox
 
@@ -35,7 +36,7 @@ def browser() -> Iterator[Firefox]:
 
 
 @pytest.mark.parametrize(
-    ("mission", "rest"), [("inteco.toml", 4.0), ("container.toml", 60.0)], ids=["lab", "40 t"]
+    ("mission", "rest"), [("container.toml", 60.0), *soaked_rows(("inteco.toml", 4.0))]
 )
 def test_keys_drive_it_swing_free_and_a_plain_joystick_lets_it_swing(
     browser: Firefox, tmp_path: Path, mission: str, rest: float
