@@ -1038,8 +1038,9 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
 static void project_out(int64_t unit, int64_t row, array_double_2d basis);
 static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square);
-static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
-static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square);
+static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
+static void add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
+static void give_units(int64_t count, array_double_2d link, array_double_2d square);
 static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
 static int64_t outer_column(int64_t place);
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square);
@@ -1047,11 +1048,11 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
 static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans);
 static void take_tried(array_double_3d spots, array_double_3d links, array_double_2d spans);
 static double write_step_of(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
-static bool centre_path(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
+static bool centre_path(double theta, double accuracy, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
 static void write_times(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
 static bool begin_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
-static bool slow_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
+static double slow_path(double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
 static double limit_of(int64_t place, int64_t axis, array_double_2d limits);
 static void write_tracks(array_double_2d limits, array_double_2d lower, array_double_1d path, array_double_2d tracks);
@@ -30881,23 +30882,31 @@ static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t co
 static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square)
 {
     int64_t order;
+    double duration;
     int64_t j;
     double unit;
     int64_t power;
+    int64_t k;
+    double whole;
     int64_t derivative;
-    double scale;
     order = (int64_t)((*cspan_at(&path, INT64_C(0))));
+    duration = exp(time);
     for (j = INT64_C(0); j < (int64_t)(INT64_C(5) + (*cspan_at(&path, INT64_C(1)))); j += INT64_C(1))
     {
         unit_of(&unit, &power, j, order, track);
+        for (k = INT64_C(0); k < power; k += INT64_C(1))
+        {
+            unit = unit * duration;
+        }
         (*cspan_at(&square, INT64_C(1), j)) = power;
-        (*cspan_at(&square, INT64_C(0), j)) = unit * exp(power * time);
-        (*cspan_at(&square, INT64_C(2), j)) = (*cspan_at(&link, INT64_C(5), j)) * (*cspan_at(&square, INT64_C(0), j));
+        (*cspan_at(&square, INT64_C(0), j)) = unit;
+        (*cspan_at(&square, INT64_C(2), j)) = (*cspan_at(&link, INT64_C(5), j)) * unit;
     }
+    whole = (*cspan_at(&path, INT64_C(8)));
     for (derivative = INT64_C(0); derivative < order + INT64_C(1); derivative += INT64_C(1))
     {
-        scale = (*cspan_at(&link, INT64_C(2), derivative)) / (*cspan_at(&path, INT64_C(8)));
-        (*cspan_at(&square, INT64_C(3), derivative)) = scale * exp((-derivative) * time);
+        (*cspan_at(&square, INT64_C(3), derivative)) = (*cspan_at(&link, INT64_C(2), derivative)) / whole;
+        whole = whole * duration;
     }
 }
 static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square)
@@ -31753,8 +31762,8 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
     int64_t cell;
     double effect;
     double total;
-    own = span_rows(&square, INT64_C(22), INT64_C(31));
-    right = span_rows(&square, INT64_C(31), INT64_C(40));
+    own = span_rows(&square, INT64_C(20), INT64_C(29));
+    right = span_rows(&square, INT64_C(29), INT64_C(38));
     for (i = INT64_C(0); i < order; i += INT64_C(1))
     {
         for (j = INT64_C(0); j < order; j += INT64_C(1))
@@ -31813,7 +31822,7 @@ static void write_free_controls(int64_t order, int64_t first, array_double_2d gr
     int64_t sweep;
     int64_t other;
     double norm;
-    basis = span_rows(&square, INT64_C(40), INT64_C(49));
+    basis = span_rows(&square, INT64_C(38), INT64_C(47));
     for (i = INT64_C(0); i < INT64_C(12) - order; i += INT64_C(1))
     {
         for (cell = INT64_C(0); cell < INT64_C(12); cell += INT64_C(1))
@@ -31883,67 +31892,119 @@ static void write_grid(int64_t order, array_double_2d grid, array_double_2d squa
         }
     }
 }
-static double write_line(int64_t row, int64_t count, array_double_2d grid, array_double_2d square)
+static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square)
 {
     int64_t derivative;
     double slope;
-    int64_t j;
-    double by;
-    double exponent;
-    double part;
     double bend;
+    int64_t power;
+    double part;
+    int64_t end;
+    int64_t j;
+    int64_t exponent;
+    double scale;
     derivative = (int64_t)((*cspan_at(&grid, row, INT64_C(14))));
     slope = 0.0;
     bend = 0.0;
-    for (j = INT64_C(0); j < count; j += INT64_C(1))
+    for (power = INT64_C(0); power < INT64_C(3); power += INT64_C(1))
     {
-        by = (*cspan_at(&square, INT64_C(3), derivative)) * (*cspan_at(&grid, row, INT64_C(0) + j));
-        exponent = (*cspan_at(&square, INT64_C(1), j)) - derivative;
-        part = by * (*cspan_at(&square, INT64_C(2), j)) * exponent;
-        slope = slope + part;
-        bend = bend + part * (exponent + 1.0);
-        (*cspan_at(&square, INT64_C(4), j)) = by * (*cspan_at(&square, INT64_C(0), j));
+        part = 0.0;
+        if (power == INT64_C(0))
+        {
+            part = (*cspan_at(&grid, row, INT64_C(0))) * (*cspan_at(&square, INT64_C(2), INT64_C(0)));
+        }
+        else
+        {
+            for (end = INT64_C(0); end < INT64_C(2); end += INT64_C(1))
+            {
+                j = INT64_C(1) + end * INT64_C(2) + power - INT64_C(1);
+                part = part + (*cspan_at(&grid, row, INT64_C(0) + j)) * (*cspan_at(&square, INT64_C(2), j));
+            }
+        }
+        exponent = power - derivative;
+        slope = slope + part * exponent;
+        bend = bend + part * exponent * (exponent + INT64_C(1));
     }
-    (*cspan_at(&square, INT64_C(4), INT64_C(14))) = slope;
-    return bend;
+    part = 0.0;
+    for (j = INT64_C(5); j < count; j += INT64_C(1))
+    {
+        part = part + (*cspan_at(&grid, row, INT64_C(0) + j)) * (*cspan_at(&square, INT64_C(2), j));
+    }
+    exponent = (int64_t)((*cspan_at(&square, INT64_C(1), INT64_C(5)))) - derivative;
+    slope = slope + part * exponent;
+    bend = bend + part * exponent * (exponent + INT64_C(1));
+    scale = (*cspan_at(&square, INT64_C(3), derivative));
+    (*result_0_0001) = scale * slope;
+    (*result_1_0001) = scale * bend;
+    return 0;
 }
-static void add_share(int64_t row, int64_t count, double bend, array_double_2d link, array_double_2d grid, array_double_2d square)
+static void add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square)
 {
-    double derivative;
+    int64_t derivative;
+    double slope;
+    double bend;
     double share;
     double inner;
     double first;
     double second;
-    int64_t j;
-    double slope;
-    int64_t k;
-    double value;
+    double scale;
+    double pull;
     double crossed;
+    double curve;
+    int64_t j;
+    double by;
+    double value;
+    int64_t k;
+    double added;
     int64_t time;
-    derivative = (*cspan_at(&grid, row, INT64_C(14)));
+    derivative = (int64_t)((*cspan_at(&grid, row, INT64_C(14))));
+    row_change(&slope, &bend, row, count, grid, square);
     share = (*cspan_at(&grid, row, INT64_C(15)));
     inner = (1.0 - share) * (1.0 + share);
     first = 2.0 * share / inner;
     second = 2.0 * (1.0 + share * share) / (inner * inner);
+    scale = (*cspan_at(&square, INT64_C(3), derivative));
+    pull = first * scale;
+    crossed = (second * slope - first * derivative) * scale;
+    curve = second * scale * scale;
     for (j = INT64_C(1); j < count; j += INT64_C(1))
     {
-        slope = (*cspan_at(&square, INT64_C(4), j));
-        (*cspan_at(&link, INT64_C(6), j)) = (*cspan_at(&link, INT64_C(6), j)) + first * slope;
+        by = (*cspan_at(&grid, row, INT64_C(0) + j));
+        (*cspan_at(&link, INT64_C(6), j)) = (*cspan_at(&link, INT64_C(6), j)) + pull * by;
+        (*cspan_at(&square, INT64_C(19), j)) = (*cspan_at(&square, INT64_C(19), j)) + crossed * by;
+        value = curve * by;
         for (k = INT64_C(1); k < j + INT64_C(1); k += INT64_C(1))
         {
-            value = second * slope * (*cspan_at(&square, INT64_C(4), k));
-            (*cspan_at(&square, INT64_C(5) + j, k)) = (*cspan_at(&square, INT64_C(5) + j, k)) + value;
+            added = value * (*cspan_at(&grid, row, INT64_C(0) + k));
+            (*cspan_at(&square, INT64_C(4) + j, k)) = (*cspan_at(&square, INT64_C(4) + j, k)) + added;
         }
-        crossed = second * slope * (*cspan_at(&square, INT64_C(4), INT64_C(14)));
-        (*cspan_at(&square, INT64_C(20), j)) = (*cspan_at(&square, INT64_C(20), j)) + crossed;
-        crossed = first * slope * ((*cspan_at(&square, INT64_C(1), j)) - derivative);
-        (*cspan_at(&square, INT64_C(21), j)) = (*cspan_at(&square, INT64_C(21), j)) + crossed;
     }
-    slope = (*cspan_at(&square, INT64_C(4), INT64_C(14)));
-    time = INT64_C(5) + INT64_C(14);
+    time = INT64_C(4) + INT64_C(14);
     (*cspan_at(&link, INT64_C(6), INT64_C(14))) = (*cspan_at(&link, INT64_C(6), INT64_C(14))) + first * slope;
     (*cspan_at(&square, time, INT64_C(14))) = (*cspan_at(&square, time, INT64_C(14))) + second * slope * slope;
-    (*cspan_at(&square, INT64_C(21), INT64_C(14))) = (*cspan_at(&square, INT64_C(21), INT64_C(14))) + first * bend;
+    (*cspan_at(&square, INT64_C(19), INT64_C(14))) = (*cspan_at(&square, INT64_C(19), INT64_C(14))) + first * bend;
+}
+static void give_units(int64_t count, array_double_2d link, array_double_2d square)
+{
+    int64_t j;
+    double unit;
+    double power;
+    double crossed;
+    int64_t k;
+    double value;
+    for (j = INT64_C(1); j < count; j += INT64_C(1))
+    {
+        unit = (*cspan_at(&square, INT64_C(0), j));
+        power = (*cspan_at(&square, INT64_C(1), j));
+        (*cspan_at(&link, INT64_C(6), j)) = unit * (*cspan_at(&link, INT64_C(6), j));
+        crossed = unit * (*cspan_at(&square, INT64_C(19), j));
+        (*cspan_at(&square, INT64_C(19), j)) = crossed + power * (*cspan_at(&link, INT64_C(6), j));
+        for (k = INT64_C(1); k < j + INT64_C(1); k += INT64_C(1))
+        {
+            value = unit * (*cspan_at(&square, INT64_C(0), k)) * (*cspan_at(&square, INT64_C(4) + j, k));
+            (*cspan_at(&square, INT64_C(4) + j, k)) = value;
+        }
+    }
 }
 static double hessian_entry(int64_t one, int64_t other, array_double_2d square)
 {
@@ -31954,10 +32015,10 @@ static double hessian_entry(int64_t one, int64_t other, array_double_2d square)
     second = span_min_int(one, other);
     if ((first == INT64_C(14)) && (second != first))
     {
-        result = (*cspan_at(&square, INT64_C(20), second)) + (*cspan_at(&square, INT64_C(21), second));
+        result = (*cspan_at(&square, INT64_C(19), second));
         return result;
     }
-    result = (*cspan_at(&square, INT64_C(5) + first, second));
+    result = (*cspan_at(&square, INT64_C(4) + first, second));
     return result;
 }
 static int64_t outer_column(int64_t place)
@@ -31979,8 +32040,8 @@ static void eliminate(int64_t count, array_double_2d link, array_double_2d squar
     double coupled;
     int64_t k;
     double value;
-    own = span_rows(&square, INT64_C(22), INT64_C(31));
-    right = span_rows(&square, INT64_C(31), INT64_C(40));
+    own = span_rows(&square, INT64_C(20), INT64_C(29));
+    right = span_rows(&square, INT64_C(29), INT64_C(38));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         for (j = INT64_C(0); j < count; j += INT64_C(1))
@@ -32029,18 +32090,16 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
     int64_t k;
     int64_t count;
     int64_t i;
-    double bend;
     double diagonal;
     int64_t row;
     write_node_shares(path, track, time, link, grid, square);
     for (j = INT64_C(0); j < INT64_C(15); j += INT64_C(1))
     {
         (*cspan_at(&link, INT64_C(6), j)) = 0.0;
-        (*cspan_at(&square, INT64_C(20), j)) = 0.0;
-        (*cspan_at(&square, INT64_C(21), j)) = 0.0;
+        (*cspan_at(&square, INT64_C(19), j)) = 0.0;
         for (k = INT64_C(0); k < INT64_C(15); k += INT64_C(1))
         {
-            (*cspan_at(&square, INT64_C(5) + j, k)) = 0.0;
+            (*cspan_at(&square, INT64_C(4) + j, k)) = 0.0;
         }
     }
     count = (int64_t)(INT64_C(5) + (*cspan_at(&path, INT64_C(1))));
@@ -32048,18 +32107,18 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
     {
         if ((*cspan_at(&link, INT64_C(2), (int64_t)((*cspan_at(&grid, i, INT64_C(14)))))) > 0.0)
         {
-            bend = write_line(i, count, grid, square);
-            add_share(i, count, bend, link, grid, square);
+            add_share(i, count, link, grid, square);
         }
     }
+    give_units(count, link, square);
     for (j = INT64_C(1); j < INT64_C(5); j += INT64_C(1))
     {
-        diagonal = (*cspan_at(&square, INT64_C(5) + j, j));
-        (*cspan_at(&square, INT64_C(5) + j, j)) = (1.0 + ridge) * diagonal;
+        diagonal = (*cspan_at(&square, INT64_C(4) + j, j));
+        (*cspan_at(&square, INT64_C(4) + j, j)) = (1.0 + ridge) * diagonal;
     }
-    row = INT64_C(5) + INT64_C(14);
+    row = INT64_C(4) + INT64_C(14);
     diagonal = (1.0 + ridge) * (*cspan_at(&square, row, INT64_C(14)));
-    (*cspan_at(&square, row, INT64_C(14))) = diagonal + (*cspan_at(&square, INT64_C(21), INT64_C(14)));
+    (*cspan_at(&square, row, INT64_C(14))) = diagonal + (*cspan_at(&square, INT64_C(19), INT64_C(14)));
     eliminate((int64_t)((*cspan_at(&path, INT64_C(1)))), link, square);
 }
 static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans)
@@ -32160,23 +32219,24 @@ static double write_step_of(double theta, array_double_1d path, array_double_2d 
     }
     return -1e+300;
 }
-static bool centre_path(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
+static bool centre_path(double theta, double accuracy, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
 {
+    double value;
     int64_t attempt;
     double decrease;
-    double value;
     double longest;
     int64_t j;
     double share;
+    double tried;
+    try_move(0.0, path, spots, links, spans);
+    value = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
     for (attempt = INT64_C(0); attempt < INT64_C(30); attempt += INT64_C(1))
     {
-        try_move(0.0, path, spots, links, spans);
         decrease = write_step_of(theta, path, tracks, spots, links, spans, grid, square, band);
         if (!((-1e+300 < decrease) && (decrease < 1e+300)))
         {
             return 0;
         }
-        value = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
         longest = 1e-09;
         for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))
         {
@@ -32184,7 +32244,8 @@ static bool centre_path(double theta, array_double_1d path, array_double_2d trac
         }
         share = span_min(1.0, 0.6 / longest);
         try_move(share, path, spots, links, spans);
-        while(!(barrier_value(theta, path, tracks, spots, links, spans, grid, square) <= value - 0.1 * share * decrease))
+        tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
+        while(!(tried <= value - 0.1 * share * decrease))
         {
             share = 0.5 * share;
             if (share < 1e-06)
@@ -32192,9 +32253,11 @@ static bool centre_path(double theta, array_double_1d path, array_double_2d trac
                 return 0;
             }
             try_move(share, path, spots, links, spans);
+            tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
         }
         take_tried(spots, links, spans);
-        if (decrease < 0.5)
+        value = tried;
+        if (decrease < accuracy)
         {
             break;
         }
@@ -32270,7 +32333,7 @@ static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3
     for (attempt = INT64_C(0); attempt < INT64_C(60); attempt += INT64_C(1))
     {
         theta = (*cspan_at(&path, INT64_C(7))) / ((*cspan_at(&path, INT64_C(9))) * path_total(INT64_C(0), spans));
-        if (!centre_path(theta, path, tracks, spots, links, spans, grid, square, band))
+        if (!centre_path(theta, 0.5, path, tracks, spots, links, spans, grid, square, band))
         {
             return 0;
         }
@@ -32305,21 +32368,33 @@ static bool begin_path(array_double_1d path, array_double_2d tracks, array_doubl
     result = retreat(path, tracks, spots, links, spans, grid, square, band);
     return result;
 }
-static bool slow_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+static double slow_path(double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
 {
+    double before;
     int64_t attempt;
+    double value;
+    double total;
     int64_t i;
     int64_t field;
     double power;
     int64_t j;
+    double theta;
     (*cspan_at(&path, INT64_C(8))) = 1.0;
+    before = 1e+300;
     for (attempt = INT64_C(0); attempt < INT64_C(60); attempt += INT64_C(1))
     {
         try_move(0.0, path, spots, links, spans);
-        if (largest_node_share(1, path, tracks, links, spans, grid, square) < 0.9)
+        value = barrier_value(0.0, path, tracks, spots, links, spans, grid, square);
+        total = path_total(INT64_C(0), spans);
+        if (before < 1e+300)
         {
-            return 1;
+            theta = (before - value) / (total * (1.0 - 1.0 / 1.02));
+            if (theta * gap * total <= (*cspan_at(&path, INT64_C(7))))
+            {
+                return theta;
+            }
         }
+        before = value;
         for (i = INT64_C(0); i < spots.shape[INT64_C(0)]; i += INT64_C(1))
         {
             for (field = INT64_C(0); field < INT64_C(2); field += INT64_C(1))
@@ -32340,15 +32415,21 @@ static bool slow_path(array_double_1d path, array_double_2d tracks, array_double
             (*cspan_at(&spans, j, INT64_C(0))) = (*cspan_at(&spans, j, INT64_C(0))) + log(1.02);
         }
     }
-    return 0;
+    return -1.0;
 }
 static double follow_path(double theta, double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band)
 {
     double reached;
+    double accuracy;
     reached = 1e+300;
     while(reached > 1.05 * gap)
     {
-        if (!centre_path(theta, path, tracks, spots, links, spans, grid, square, band))
+        accuracy = 0.5;
+        if ((*cspan_at(&path, INT64_C(7))) > 1.05 * gap * theta * path_total(INT64_C(0), spans))
+        {
+            accuracy = 20.0;
+        }
+        if (!centre_path(theta, accuracy, path, tracks, spots, links, spans, grid, square, band))
         {
             return -1.0;
         }
@@ -32593,7 +32674,6 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     array_double_3d tried;
     array_double_3d best;
     bool smoothstep;
-    double start;
     int64_t first;
     double theta;
     int64_t fewest;
@@ -32603,7 +32683,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     bool result;
     path = span_row(&tools, INT64_C(0));
     grid = span_rows(&tools, INT64_C(1), INT64_C(57));
-    square = span_rows(&tools, INT64_C(57), INT64_C(106));
+    square = span_rows(&tools, INT64_C(57), INT64_C(104));
     block_rows(&begin, &end, INT64_C(0), path, choice);
     given = span_layers(&choice, begin, end);
     block_rows(&begin, &end, INT64_C(3), path, choice);
@@ -32612,22 +32692,24 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     best = span_layers(&choice, begin, end);
     smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
     write_scales_of(smoothstep, given, path, axes, spots, links, spans);
-    start = (*cspan_at(&path, INT64_C(9)));
     first = INT64_C(0);
     if ((*cspan_at(&path, INT64_C(10))) != 0.0)
     {
         first = INT64_C(2);
-        start = gap_of(INT64_C(2));
-        if (!slow_path(path, axes, spots, links, spans, grid, square))
+        theta = slow_path(gap_of(INT64_C(1)), path, axes, spots, links, spans, grid, square);
+        if (theta < 0.0)
         {
             return 0;
         }
     }
-    else if (!begin_path(path, axes, spots, links, spans, grid, square, band))
+    else if (begin_path(path, axes, spots, links, spans, grid, square, band))
+    {
+        theta = (*cspan_at(&path, INT64_C(7))) / ((*cspan_at(&path, INT64_C(9))) * path_total(INT64_C(0), spans));
+    }
+    else
     {
         return 0;
     }
-    theta = (*cspan_at(&path, INT64_C(7))) / (start * path_total(INT64_C(0), spans));
     fewest = spans.shape[INT64_C(0)] + INT64_C(1);
     for (place = first; place < INT64_C(2) + INT64_C(1); place += INT64_C(1))
     {
@@ -33369,7 +33451,7 @@ bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_d
     (*cspan_at(&path, INT64_C(4))) = places;
     (*cspan_at(&path, INT64_C(6))) = 0.0;
     write_tracks(limits, lower, path, axes);
-    square = span_rows(&tools, INT64_C(57), INT64_C(106));
+    square = span_rows(&tools, INT64_C(57), INT64_C(104));
     write_grid((int64_t)((*cspan_at(&path, INT64_C(0)))), span_rows(&tools, INT64_C(1), INT64_C(57)), square);
     result = set_axes(limits, lower, axes, work);
     return result;

@@ -56,14 +56,18 @@ def write_scales(
 ) -> None:
     """Write units and parts of the columns, and scales, for a duration of the logarithm `time`."""
     order = int(path[Path.ORDER])
+    duration = exp(time)
     for j in range(int(GridColumn.COMPONENTS + path[Path.COMPONENTS])):
         unit, power = unit_of(j, order, track)
+        for k in range(power):
+            unit = unit * duration
         square[Square.POWER, j] = power
-        square[Square.UNIT, j] = unit * exp(power * time)
-        square[Square.PART, j] = link[Link.TRIAL, j] * square[Square.UNIT, j]
+        square[Square.UNIT, j] = unit
+        square[Square.PART, j] = link[Link.TRIAL, j] * unit
+    whole = path[Path.ROOM]
     for derivative in range(order + 1):
-        scale = link[Link.SCALE, derivative] / path[Path.ROOM]
-        square[Square.SCALE, derivative] = scale * exp(-derivative * time)
+        square[Square.SCALE, derivative] = link[Link.SCALE, derivative] / whole
+        whole = whole * duration
 
 
 def write_node_shares(

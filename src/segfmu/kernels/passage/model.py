@@ -6,52 +6,87 @@ that of the tried point.
 
 from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.passage.barrier import write_node_shares
-from segfmu.kernels.passage.records import GridColumn, GridRow, Link, Path, Solved, Square
+from segfmu.kernels.passage.records import (
+    Free,
+    GridColumn,
+    GridRow,
+    Link,
+    Path,
+    Solved,
+    Square,
+)
 
 
-def write_line(
+def row_change(
     row: int, count: int, grid: 'float[:,:]', square: 'float[:,:]'
-) -> float:
-    """Write the slopes of a share by all columns; returns its curvature by the duration."""
+) -> 'tuple[float, float]':
+    """Slope and curvature of a share by the logarithm of the duration.
+
+    A column has a power of the duration, and the share that of its derivative less.
+    """
     derivative = int(grid[row, GridRow.ORDER])
     slope = 0.0
     bend = 0.0
-    for j in range(count):
-        by = square[Square.SCALE, derivative] * grid[row, GridRow.BY + j]
-        exponent = square[Square.POWER, j] - derivative
-        part = by * square[Square.PART, j] * exponent
-        slope = slope + part
-        bend = bend + part * (exponent + 1.0)
-        square[Square.LINE, j] = by * square[Square.UNIT, j]
-    square[Square.LINE, GridColumn.TIME] = slope
-    return bend
+    for power in range(3):
+        part = 0.0
+        if power == 0:
+            part = grid[row, GridRow.BY] * square[Square.PART, GridColumn.DISTANCE]
+        else:
+            for end in range(2):
+                j = GridColumn.ENDS + end * Free.SIZE + power - 1
+                part = part + grid[row, GridRow.BY + j] * square[Square.PART, j]
+        exponent = power - derivative
+        slope = slope + part * exponent
+        bend = bend + part * exponent * (exponent + 1)
+    part = 0.0
+    for j in range(int(GridColumn.COMPONENTS), count):
+        part = part + grid[row, GridRow.BY + j] * square[Square.PART, j]
+    exponent = int(square[Square.POWER, GridColumn.COMPONENTS]) - derivative
+    slope = slope + part * exponent
+    bend = bend + part * exponent * (exponent + 1)
+    scale = square[Square.SCALE, derivative]
+    return scale * slope, scale * bend
 
 
 def add_share(
-    row: int, count: int, bend: float, link: 'float[:,:]', grid: 'float[:,:]',
-    square: 'float[:,:]',
+    row: int, count: int, link: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]'
 ) -> None:
-    """Add the barrier of a share, whose slopes are in the row LINE, to Hessian and gradient."""
-    derivative = grid[row, GridRow.ORDER]
+    """Add the barrier of a share to Hessian and gradient, but for the units of their columns."""
+    derivative = int(grid[row, GridRow.ORDER])
+    slope, bend = row_change(row, count, grid, square)
     share = grid[row, GridRow.SHARE]
     inner = (1.0 - share) * (1.0 + share)
     first = 2.0 * share / inner
     second = 2.0 * (1.0 + share * share) / (inner * inner)
+    scale = square[Square.SCALE, derivative]
+    pull = first * scale
+    crossed = (second * slope - first * derivative) * scale
+    curve = second * scale * scale
     for j in range(int(GridColumn.ENDS), count):
-        slope = square[Square.LINE, j]
-        link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + first * slope
+        by = grid[row, GridRow.BY + j]
+        link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + pull * by
+        square[Square.CROSS, j] = square[Square.CROSS, j] + crossed * by
+        value = curve * by
         for k in range(int(GridColumn.ENDS), j + 1):
-            value = second * slope * square[Square.LINE, k]
-            square[Square.HESSIAN + j, k] = square[Square.HESSIAN + j, k] + value
-        crossed = second * slope * square[Square.LINE, GridColumn.TIME]
-        square[Square.CROSS, j] = square[Square.CROSS, j] + crossed
-        crossed = first * slope * (square[Square.POWER, j] - derivative)
-        square[Square.BENT, j] = square[Square.BENT, j] + crossed
-    slope = square[Square.LINE, GridColumn.TIME]
+            added = value * grid[row, GridRow.BY + k]
+            square[Square.HESSIAN + j, k] = square[Square.HESSIAN + j, k] + added
     time = Square.HESSIAN + GridColumn.TIME
     link[Link.GRADIENT, GridColumn.TIME] = link[Link.GRADIENT, GridColumn.TIME] + first * slope
     square[time, GridColumn.TIME] = square[time, GridColumn.TIME] + second * slope * slope
-    square[Square.BENT, GridColumn.TIME] = square[Square.BENT, GridColumn.TIME] + first * bend
+    square[Square.CROSS, GridColumn.TIME] = square[Square.CROSS, GridColumn.TIME] + first * bend
+
+
+def give_units(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
+    """Multiply Hessian and gradient by the units of their columns."""
+    for j in range(int(GridColumn.ENDS), count):
+        unit = square[Square.UNIT, j]
+        power = square[Square.POWER, j]
+        link[Link.GRADIENT, j] = unit * link[Link.GRADIENT, j]
+        crossed = unit * square[Square.CROSS, j]
+        square[Square.CROSS, j] = crossed + power * link[Link.GRADIENT, j]
+        for k in range(int(GridColumn.ENDS), j + 1):
+            value = unit * square[Square.UNIT, k] * square[Square.HESSIAN + j, k]
+            square[Square.HESSIAN + j, k] = value
 
 
 def write_model(
@@ -66,20 +101,19 @@ def write_model(
     for j in range(GridColumn.SIZE):
         link[Link.GRADIENT, j] = 0.0
         square[Square.CROSS, j] = 0.0
-        square[Square.BENT, j] = 0.0
         for k in range(GridColumn.SIZE):
             square[Square.HESSIAN + j, k] = 0.0
     count = int(GridColumn.COMPONENTS + path[Path.COMPONENTS])
     for i in range(int(path[Path.ROWS])):
         if link[Link.SCALE, int(grid[i, GridRow.ORDER])] > 0.0:
-            bend = write_line(i, count, grid, square)
-            add_share(i, count, bend, link, grid, square)
+            add_share(i, count, link, grid, square)
+    give_units(count, link, square)
     for j in range(int(GridColumn.ENDS), GridColumn.COMPONENTS):
         diagonal = square[Square.HESSIAN + j, j]
         square[Square.HESSIAN + j, j] = (1.0 + ridge) * diagonal
     row = Square.HESSIAN + GridColumn.TIME
     diagonal = (1.0 + ridge) * square[row, GridColumn.TIME]
-    square[row, GridColumn.TIME] = diagonal + square[Square.BENT, GridColumn.TIME]
+    square[row, GridColumn.TIME] = diagonal + square[Square.CROSS, GridColumn.TIME]
     eliminate(int(path[Path.COMPONENTS]), link, square)
 
 
@@ -88,7 +122,7 @@ def hessian_entry(one: int, other: int, square: 'float[:,:]') -> float:
     first = max(one, other)
     second = min(one, other)
     if first == GridColumn.TIME and second != first:
-        return square[Square.CROSS, second] + square[Square.BENT, second]
+        return square[Square.CROSS, second]
     return square[Square.HESSIAN + first, second]
 
 

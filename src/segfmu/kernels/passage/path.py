@@ -30,9 +30,8 @@ from segfmu.kernels.passage.records import (
     Track,
 )
 
-# a path is slowed down by this factor at a time, until it uses less than a share of its limits
+# a path is slowed down by this factor at a time
 SLOWING = 1.02
-SLOWED = 0.9
 SLOWER = 60
 # a gap is reached within this factor
 ENOUGH = 1.05
@@ -40,9 +39,11 @@ ENOUGH = 1.05
 RIDGE = 0.1
 HIGHER = 10.0
 RIDGES = 7
-# steps to the centre; they end where one promises less than this, of a unit for each limit
+# steps to the centre; they end where one promises less than this, of a unit for each limit, or
+# than that on the way to a smaller gap
 CENTRINGS = 30
 CENTRED = 0.5
+ON_THE_WAY = 20.0
 # of a step: the change of a logarithmic duration, the least share, and what it has to take off of
 # what it promises; and the change below which a duration stays
 LARGEST_STEP = 0.6
@@ -125,34 +126,37 @@ def write_step_of(
 
 
 def centre_path(
-    theta: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    theta: float, accuracy: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
     band: 'float[:,:]',
 ) -> bool:
-    """Go to the minimum of the barrier function, to about half a unit; False if none is found."""
+    """Go to about the minimum of the barrier function; False if none is found.
+
+    accuracy: what the last step promises at most to take off.
+    """
+    try_move(0.0, path, spots, links, spans)
+    value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
     for attempt in range(CENTRINGS):
-        try_move(0.0, path, spots, links, spans)
         decrease = write_step_of(
             theta, path, tracks, spots, links, spans, grid, square, band
         )
         if not -NEVER < decrease < NEVER:
             return False
-        value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
         longest = NO_CHANGE
         for j in range(spans.shape[0]):
             longest = max(longest, abs(spans[j, Stretch.STEP]))
         share = min(1.0, LARGEST_STEP / longest)
         try_move(share, path, spots, links, spans)
-        while not (
-            barrier_value(theta, path, tracks, spots, links, spans, grid, square)
-            <= value - PROMISED * share * decrease
-        ):
+        tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
+        while not tried <= value - PROMISED * share * decrease:
             share = 0.5 * share
             if share < LEAST_STEP:
                 return False
             try_move(share, path, spots, links, spans)
+            tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
         take_tried(spots, links, spans)
-        if decrease < CENTRED:
+        value = tried
+        if decrease < accuracy:
             break
     return True
 
@@ -177,18 +181,26 @@ def begin_path(
 
 
 def slow_path(
-    path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
-    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
-) -> bool:
-    """Begin at the point of the last path, slowed down as a whole until it keeps its limits.
+    gap: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
+    links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+) -> float:
+    """Begin at the point of the last path, slowed down as a whole; the weight of time there.
 
-    The states at the ends are at rest, so this is a motion. False if it never keeps them.
+    It is that with which nothing is gained by slowing down further, and belongs to a duration that
+    exceeds the shortest one by `gap` or more. The states at the ends are at rest, so this is a
+    motion. -1 if it never keeps its limits.
     """
     path[Path.ROOM] = 1.0
+    before = NEVER
     for attempt in range(SLOWER):
         try_move(0.0, path, spots, links, spans)
-        if largest_node_share(True, path, tracks, links, spans, grid, square) < SLOWED:
-            return True
+        value = barrier_value(0.0, path, tracks, spots, links, spans, grid, square)
+        total = path_total(Stretch.TIME, spans)
+        if before < NEVER:
+            theta = (before - value) / (total * (1.0 - 1.0 / SLOWING))
+            if theta * gap * total <= path[Path.TERMS]:
+                return theta
+        before = value
         for i in range(spots.shape[0]):
             for field in range(Free.SIZE):
                 spots[i, Spot.SHARE, field] = spots[i, Spot.SHARE, field] / SLOWING ** (field + 1)
@@ -198,7 +210,7 @@ def slow_path(
                 links[i, Link.POINT, j] = links[i, Link.POINT, j] / power
         for j in range(spans.shape[0]):
             spans[j, Stretch.TIME] = spans[j, Stretch.TIME] + log(SLOWING)
-    return False
+    return -1.0
 
 
 def write_times(
@@ -245,7 +257,7 @@ def retreat(
     """
     for attempt in range(RETREATS):
         theta = path[Path.TERMS] / (path[Path.START] * path_total(Stretch.TIME, spans))
-        if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
+        if not centre_path(theta, CENTRED, path, tracks, spots, links, spans, grid, square, band):
             return False
         try_move(0.0, path, spots, links, spans)
         used = largest_node_share(False, path, tracks, links, spans, grid, square)
@@ -268,7 +280,12 @@ def follow_path(
     """
     reached = NEVER
     while reached > ENOUGH * gap:
-        if not centre_path(theta, path, tracks, spots, links, spans, grid, square, band):
+        accuracy = CENTRED
+        if path[Path.TERMS] > ENOUGH * gap * theta * path_total(Stretch.TIME, spans):
+            accuracy = ON_THE_WAY
+        if not centre_path(
+            theta, accuracy, path, tracks, spots, links, spans, grid, square, band
+        ):
             return -1.0
         reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))
         theta = theta * min(FASTEST, max(1.0, reached / gap))

@@ -230,16 +230,16 @@ def try_path(
     best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
-    start = path[Path.START]
     first = 0
     if path[Path.FOLLOWED] != 0.0:
         first = LAST_POINT
-        start = gap_of(LAST_POINT)
-        if not slow_path(path, axes, spots, links, spans, grid, square):
+        theta = slow_path(gap_of(1), path, axes, spots, links, spans, grid, square)
+        if theta < 0.0:
             return False
-    elif not begin_path(path, axes, spots, links, spans, grid, square, band):
+    elif begin_path(path, axes, spots, links, spans, grid, square, band):
+        theta = path[Path.TERMS] / (path[Path.START] * path_total(int(Stretch.TIME), spans))
+    else:
         return False
-    theta = path[Path.TERMS] / (start * path_total(int(Stretch.TIME), spans))
     fewest = spans.shape[0] + 1
     for place in range(first, LAST_POINT + 1):
         theta = follow_path(
