@@ -14,6 +14,7 @@ from fmpy import read_model_description
 
 import segfmu
 from segfmu import cli
+from tests.campaign import soaked
 from tests.command import called
 from tests.tables import columns
 
@@ -174,7 +175,7 @@ def test_infeasible_mission_gives_one_line_and_code_1(tmp_path, monkeypatch, cap
     assert "duration 0.1 s is shorter" in error
 
 
-@pytest.mark.parametrize("name", ["paper", "pick_and_place", "inteco"])
+@pytest.mark.parametrize("name", ["inteco", *soaked("paper", "pick_and_place")])
 def test_every_mission_plans(name: str, tmp_path, monkeypatch, capsys) -> None:
     code, printed, error = invoke(
         monkeypatch, capsys, "plan", str(MODELS / f"{name}.toml"), "-o", str(tmp_path)

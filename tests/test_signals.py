@@ -93,7 +93,7 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> float:
 
 
 @pytest.mark.parametrize("number", CODES, ids=lambda n: n.name)
-@campaign(3, 12, "parts")
+@campaign(2, 12, "parts")
 def test_while_it_builds_and_simulates(
     number: signal.Signals, parts: int, whole: float, tmp_path: Path
 ) -> None:
@@ -109,7 +109,7 @@ def test_while_it_builds_and_simulates(
         assert {p.name for p in left} <= {
             "GantryFeedforward.fmu", "GantryCrane.fmu", "run.csv", "run.png", "report.html",
         }
-    assert caught >= parts // 3
+    assert caught >= max(1, parts // 3)
 
 
 @needs_native
