@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
@@ -17,6 +15,7 @@ from segfmu.errors import InputError
 from segfmu.validation.files.recording import load_recording
 from segfmu.validation.files.scenario_file import find, load_scenario
 from segfmu.validation.suite import Runner
+from tests.command import called
 from tests.compiler import require_native
 
 FOLDER = Path(__file__).parents[2] / "models" / "commands"
@@ -71,10 +70,9 @@ def test_all_scenarios_of_a_crane_pass(runner: Runner, name: str) -> None:
 
 def test_a_mission_follows_a_recording(tmp_path: Path) -> None:
     require_native()
-    done = subprocess.run(
-        [sys.executable, "-m", "segfmu", "simulate", str(FOLDER / "lab" / "_mission.toml"),
-         "--commands", str(FOLDER / "lab" / "released.csv"), "--output", str(tmp_path)],
-        capture_output=True, text=True, timeout=300,
+    done = called(
+        "simulate", str(FOLDER / "lab" / "_mission.toml"), "--commands",
+        str(FOLDER / "lab" / "released.csv"), "--output", str(tmp_path), cwd=tmp_path,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     run = segfmu.simulate(

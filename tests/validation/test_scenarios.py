@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,6 +15,7 @@ import pytest
 
 from segfmu.validation.files.scenario_file import find, load_scenario
 from segfmu.validation.suite import Runner
+from tests.command import called
 from tests.compiler import require_native
 from tests.tables import columns
 
@@ -44,13 +44,6 @@ def written(place: Path, text: str, name: str = "s.toml") -> Path:
     path = place / name
     path.write_text(text, encoding="utf-8")
     return path
-
-
-def command(*arguments: str | Path, cwd: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "segfmu", *map(str, arguments)],
-        capture_output=True, text=True, cwd=cwd, timeout=300,
-    )
 
 
 DRIVES = '[[criteria]]\nname = "d"\nkind = "drives"\n'
@@ -242,7 +235,9 @@ kind = "drives"
     on, off = written(place, text), written(
         place, text.replace("[simulation]", "[simulation]\nfeedback = false"), "off.toml"
     )
-    done = command("validate", on, off, "-o", "out", "--junit", "out/j.xml", cwd=place)
+    done = called(
+        "validate", str(on), str(off), "-o", "out", "--junit", "out/j.xml", cwd=place
+    )
     assert done.returncode in (0, 1), done.stderr
     results = json.loads((place / "out" / "results.json").read_text())
     entry = results["scenarios"][0]

@@ -18,6 +18,7 @@ from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.suite import Runner
 from segfmu.validation.suites import validate
+from tests.command import called
 from tests.compiler import require_native
 from tests.cosim.probe import build as probe
 from tests.cosim.probe.build import build
@@ -35,10 +36,7 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, list[dict[s
     """Folder and entries of `segfmu validate models/scenarios`."""
     require_native()
     folder = tmp_path_factory.mktemp("suite")
-    done = subprocess.run(
-        [sys.executable, "-m", "segfmu", "validate", str(SUITE), "-o", str(folder)],
-        capture_output=True, text=True, timeout=600,
-    )
+    done = called("validate", str(SUITE), "-o", str(folder), cwd=folder)
     assert done.returncode == 0, done.stdout + done.stderr
     return folder, json.loads((folder / "results.json").read_text(encoding="utf-8"))["scenarios"]
 
