@@ -19898,11 +19898,27 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
 }
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
 {
+    double bottom;
+    double slope;
     double p;
     double duration;
     double y;
     int64_t result;
     (*cspan_at(&family, INT64_C(6))) = highest;
+    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
+    if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
+    {
+        bottom = (*cspan_at(&axis, INT64_C(3)));
+    }
+    if (((*cspan_at(&family, INT64_C(0))) == (*cspan_at(&family, INT64_C(2)))) && ((*cspan_at(&family, INT64_C(1))) == -(*cspan_at(&family, INT64_C(3)))))
+    {
+        bottom = span_max(span_min(bottom, highest), (*cspan_at(&family, INT64_C(1))));
+    }
+    if (bottom != (*cspan_at(&family, INT64_C(5))))
+    {
+        (*cspan_at(&family, INT64_C(5))) = bottom;
+        segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, (*cspan_at(&family, INT64_C(3))) + bottom, axis);
+    }
     if ((*cspan_at(&family, INT64_C(17))) < 0.0)
     {
         p = canonical_search(family, axis);

@@ -122,9 +122,17 @@ def merged_form(
 ) -> int:
     """Write the member of a family that is searched for; its number of phases, -1 if none.
 
-    highest [m/s2] bounds the first level.
+    highest [m/s2] bounds the first level; the second one alike if the problem is its own reverse.
     """
     family[Family.HIGHEST] = highest
+    bottom = axis[Axis.LOWER + 1]
+    if family[Family.REVERSE] != family[Family.MIRROR]:
+        bottom = axis[Axis.ACCELERATION]
+    if family[Family.V] == family[Family.W] and family[Family.A] == -family[Family.B]:
+        bottom = max(min(bottom, highest), family[Family.A])
+    if bottom != family[Family.BOTTOM]:
+        family[Family.BOTTOM] = bottom
+        family[Family.LAST_RAMP], slope = ramp_duration(family[Family.B] + bottom, axis)
     if family[Family.MEMBER] < 0.0:
         p = canonical_search(family, axis)
     else:
