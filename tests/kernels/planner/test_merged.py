@@ -65,3 +65,21 @@ def test_a_smoother_plan_is_not_shorter(kind: str) -> None:
         found = plan(points, Limits(*limits.tolist()), smoothness=2)
         assert found.duration <= smooth.duration * (1.0 + 1e-9), points
     assert planned > 0.375 * problems
+
+
+@pytest.mark.parametrize("shape", ["plateau", "smoothstep"])
+@pytest.mark.parametrize(
+    ("limits", "velocity", "distance"),
+    [
+        # between the distance at which the limit is touched, and that of a cruise
+        ((0.28486187, 0.74177279, 14.27583242, 441.42078495), 0.0, 0.12519671),
+        ((1.86112331, 1.22292843, 2.08823284, 7.0861028), 0.0, 3.99686034),
+        ((1.86112331, 1.22292843, 2.08823284, 7.0861028), 0.2, 3.99686034),
+    ],
+)
+def test_a_motion_that_could_be_its_own_reverse_is(limits, velocity, distance, shape) -> None:
+    points = [Waypoint([0.0], [velocity]), Waypoint([distance], [velocity])]
+    trajectory = plan(points, Limits(*limits), shape=shape)
+    times = np.linspace(0.0, trajectory.duration, 201)
+    way = np.array([trajectory.state(time).position[0] for time in times])
+    np.testing.assert_allclose(way, distance - way[::-1], atol=1e-9 * distance)
