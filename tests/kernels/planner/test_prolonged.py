@@ -81,7 +81,7 @@ def test_most_durations_of_smooth_motions(
 
 
 @pytest.mark.parametrize(("n", "missed"), [(4, 1), (5, 2), (6, 15)])
-@campaign(10, 60)
+@campaign(5, 60)
 def test_durations_are_refused_where_no_motion_lasts_them(n: int, missed: int, count: int) -> None:
     """`missed` of 60 times 4. Linear programs judge, and give the optimum as well."""
     rng = np.random.default_rng(n)

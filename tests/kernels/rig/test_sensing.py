@@ -18,6 +18,7 @@ from segfmu.kernels.rig.sensing import (
     start_sensing,
     take_sample,
 )
+from tests.campaign import SOAK
 
 
 def seeded(seed: int) -> np.ndarray:
@@ -80,7 +81,8 @@ def test_continuous_signals_are_those_of_the_state() -> None:
     assert signals(sensors, 0.3, memory).tolist() == state_at(0.3)[:5].tolist()
 
 
-@settings(max_examples=100, deadline=None)
+@pytest.mark.soak
+@settings(max_examples=100 if SOAK else 40, deadline=None)
 @given(st.floats(1e-3, 0.1), st.floats(0.0, 12.0), st.floats(0.01, 30.0))
 def test_signals_are_the_latest_available_samples(period: float, late: float, pause: float) -> None:
     """late and pause, between two looks at the signals, in periods."""
