@@ -32390,11 +32390,11 @@ static double slow_path(double gap, array_double_1d path, array_double_2d tracks
     int64_t attempt;
     double value;
     double total;
+    double theta;
     int64_t i;
     int64_t field;
     double power;
     int64_t j;
-    double theta;
     (*cspan_at(&path, INT64_C(8))) = 1.0;
     before = 1e+300;
     for (attempt = INT64_C(0); attempt < INT64_C(60); attempt += INT64_C(1))
@@ -32407,7 +32407,7 @@ static double slow_path(double gap, array_double_1d path, array_double_2d tracks
             theta = (before - value) / (total * (1.0 - 1.0 / 1.02));
             if (theta * gap * total <= (*cspan_at(&path, INT64_C(7))))
             {
-                return theta;
+                return 4.0 * theta;
             }
         }
         before = value;

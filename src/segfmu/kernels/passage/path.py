@@ -184,11 +184,11 @@ def slow_path(
     gap: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
 ) -> float:
-    """Begin at the point of the last path, slowed down as a whole; the weight of time there.
+    """Begin at the point of the last path, slowed down as a whole; the weight of time from there.
 
-    It is that with which nothing is gained by slowing down further, and belongs to a duration that
-    exceeds the shortest one by `gap` or more. The states at the ends are at rest, so this is a
-    motion. -1 if it never keeps its limits.
+    There is one with which nothing is gained by slowing down further. It belongs to a duration that
+    exceeds the shortest one by `gap` or more, and grows at once. The states at the ends are at
+    rest, so this is a motion. -1 if it never keeps its limits.
     """
     path[Path.ROOM] = 1.0
     before = NEVER
@@ -199,7 +199,7 @@ def slow_path(
         if before < NEVER:
             theta = (before - value) / (total * (1.0 - 1.0 / SLOWING))
             if theta * gap * total <= path[Path.TERMS]:
-                return theta
+                return FASTEST * theta
         before = value
         for i in range(spots.shape[0]):
             for field in range(Free.SIZE):
