@@ -97,4 +97,4 @@ class Mission:
         self.links[:, Link.TRIAL] = other.links[:, Link.POINT]
         self.spans[:, Stretch.TRIAL] = other.spans[:, Stretch.TIME]
         arrays = self.path, self.tracks, self.links, self.spans, self.grid, self.square
-        return largest_node_share(False, *arrays)
+        return largest_node_share(*arrays)

@@ -1001,7 +1001,7 @@ static void write_variables(bool step, array_double_1d path, array_double_3d spo
 static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t column, int64_t order, array_double_1d track);
 static void write_scales(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d square);
 static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
-static double largest_node_share(bool bounded, array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
+static double largest_node_share(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double room_of(double share);
 static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track);
 static int64_t gathered(double* result_0_0001, double* result_1_0001, double total, double room);
@@ -30953,7 +30953,7 @@ static void write_node_shares(array_double_1d path, array_double_1d track, doubl
         }
     }
 }
-static double largest_node_share(bool bounded, array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+static double largest_node_share(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
 {
     int64_t axes;
     int64_t i;
@@ -30970,10 +30970,7 @@ static double largest_node_share(bool bounded, array_double_1d path, array_doubl
         write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
         for (row = INT64_C(0); row < (int64_t)((*cspan_at(&path, INT64_C(2)))); row += INT64_C(1))
         {
-            if (((*cspan_at(&grid, row, INT64_C(14))) != 0.0) || (!bounded))
-            {
-                largest = span_max(largest, fabs((*cspan_at(&grid, row, INT64_C(15)))));
-            }
+            largest = span_max(largest, fabs((*cspan_at(&grid, row, INT64_C(15)))));
         }
     }
     return largest;
@@ -32354,7 +32351,7 @@ static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3
             return 0;
         }
         try_move(0.0, path, spots, links, spans);
-        used = largest_node_share(0, path, tracks, links, spans, grid, square);
+        used = largest_node_share(path, tracks, links, spans, grid, square);
         if (used > 0.999)
         {
             return 0;
@@ -32374,7 +32371,7 @@ static bool begin_path(array_double_1d path, array_double_2d tracks, array_doubl
     (*cspan_at(&path, INT64_C(8))) = 1.0;
     write_variables(0, path, spots, links);
     write_times(path, tracks, links, spans, grid, square);
-    used = largest_node_share(0, path, tracks, links, spans, grid, square);
+    used = largest_node_share(path, tracks, links, spans, grid, square);
     take_tried(spots, links, spans);
     if (used < 1.0)
     {

@@ -90,10 +90,10 @@ def write_node_shares(
 
 
 def largest_node_share(
-    bounded: bool, path: 'float[:]', tracks: 'float[:,:]', links: 'float[:,:,:]',
-    spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
+    path: 'float[:]', tracks: 'float[:,:]', links: 'float[:,:,:]', spans: 'float[:,:]',
+    grid: 'float[:,:]', square: 'float[:,:]',
 ) -> float:
-    """The largest share of the tried point; bounded: without those of positions."""
+    """The largest share of the tried point."""
     axes = int(path[Path.AXES])
     largest = 0.0
     for i in range(links.shape[0]):
@@ -101,8 +101,7 @@ def largest_node_share(
         time = spans[i // axes, Stretch.TRIAL]
         write_node_shares(path, tracks[axis, :], time, links[i, :, :], grid, square)
         for row in range(int(path[Path.ROWS])):
-            if grid[row, GridRow.ORDER] != 0.0 or not bounded:
-                largest = max(largest, abs(grid[row, GridRow.SHARE]))
+            largest = max(largest, abs(grid[row, GridRow.SHARE]))
     return largest
 
 

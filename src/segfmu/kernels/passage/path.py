@@ -172,7 +172,7 @@ def begin_path(
     path[Path.ROOM] = 1.0
     write_variables(False, path, spots, links)
     write_times(path, tracks, links, spans, grid, square)
-    used = largest_node_share(False, path, tracks, links, spans, grid, square)
+    used = largest_node_share(path, tracks, links, spans, grid, square)
     take_tried(spots, links, spans)
     if used < 1.0:
         return True
@@ -260,7 +260,7 @@ def retreat(
         if not centre_path(theta, CENTRED, path, tracks, spots, links, spans, grid, square, band):
             return False
         try_move(0.0, path, spots, links, spans)
-        used = largest_node_share(False, path, tracks, links, spans, grid, square)
+        used = largest_node_share(path, tracks, links, spans, grid, square)
         if used > STUCK:
             return False
         path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + LEFT * (1.0 - used)))
