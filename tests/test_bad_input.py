@@ -495,3 +495,14 @@ def test_tables_without_rows_are_refused_in_one_line(tmp_path: Path) -> None:
     assert "empty.csv: no column time" in refused(tmp_path, "compare", "empty.csv", "good.csv")
     line = refused(tmp_path, "compare", "names.csv", "good.csv")
     assert "names.csv: there is no row of numbers" in line
+
+
+def test_tables_of_different_units_are_not_compared(tmp_path: Path) -> None:
+    """Signals of other FMUs, whose units only the headers tell: 1 mV agreed with 1 V."""
+    for unit in ("V", "mV"):
+        (tmp_path / f"{unit}.csv").write_text(f"time,a [{unit}]\n0,1\n1,2\n", encoding="utf-8")
+    (tmp_path / "more.csv").write_text("time,a\n0,1\n1,2.5\n", encoding="utf-8")
+    line = refused(tmp_path, "compare", "mV.csv", "V.csv")
+    assert "a is in mV in mV.csv and in V in V.csv; give both in one unit" in line
+    done = segfmu("compare", "more.csv", "V.csv", cwd=tmp_path)
+    assert "by 0.5 V (at most by 0.5 V)" in done.stdout and done.returncode == 1

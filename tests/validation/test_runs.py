@@ -165,6 +165,7 @@ def test_a_suite_is_a_table_of_its_criteria(tmp_path: Path) -> None:
     judged = table[table["error"] == ""]
     assert np.allclose(judged["margin"] / judged["bound"].abs(), judged["normalised"])
     (row,) = table[table["error"] != ""].itertuples()
-    assert "end stop" in row.error and not row.passed
+    assert "end stop" in row.error and not row.passed and row.unit == ""
+    assert list(judged["unit"]) == [f.unit for f in suite.results[0].findings]
     assert len(repr(suite)) < 100 and "<table>" in suite._repr_html_()
     assert len(suite.plot().axes[0].get_yticks()) == len(judged)

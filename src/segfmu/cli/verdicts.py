@@ -137,10 +137,21 @@ def _compared(
     result: Path, reference: Path, tube_time: float, tube_value: float, relative: bool
 ) -> bool:
     from segfmu.validation.comparison import compare as compared
-    from segfmu.validation.signal_table import read_table
+    from segfmu.validation.signal_table import column_units, read_table
+    from segfmu.validation.units import signal_units
 
     tables = read_table(result), read_table(reference)
-    found = compared(*tables, tube_time=tube_time, tube_value=tube_value, relative=relative)
+    own, given = column_units(result), column_units(reference)
+    for name in own.keys() & given.keys() & tables[1].keys():
+        if own[name] != given[name]:
+            raise InputError(
+                f"{name} is in {own[name]} in {result} and in {given[name]} in {reference}; give "
+                "both in one unit"
+            )
+    found = compared(
+        *tables, tube_time=tube_time, tube_value=tube_value, relative=relative,
+        units=signal_units() | given | own,
+    )
     _tell(found, len(tables[1]) - 1)
     return not found
 

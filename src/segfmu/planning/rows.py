@@ -27,6 +27,13 @@ def delimiter_of(line: str) -> str:
     return next((d for d in DELIMITERS if d in line), ",")
 
 
+def name_and_unit(cell: str) -> tuple[str, str]:
+    """Name of a column, and its unit in brackets, which may be missing."""
+    found = UNIT.search(cell)
+    unit = "" if found is None else found[1].strip().replace("^", "").replace("²", "2")
+    return UNIT.sub("", cell), unit
+
+
 def without_units(cells: list[str], units: Mapping[str, str], where: str) -> list[str]:
     """Names of columns; units in brackets behind them are left out.
 
@@ -37,9 +44,7 @@ def without_units(cells: list[str], units: Mapping[str, str], where: str) -> lis
     """
     names = []
     for cell in cells:
-        name = UNIT.sub("", cell)
-        found = UNIT.search(cell)
-        unit = "" if found is None else found[1].strip().replace("^", "").replace("²", "2")
+        name, unit = name_and_unit(cell)
         if unit and unit != units.get(name, unit):
             raise InputError(f"{where}: column {name} is in {unit}; give it in {units[name]}")
         names.append(name)

@@ -30,6 +30,8 @@ DERIVED = {"error.load.horizontal": ("error.load.x", "error.load.y")}
 INSTANT = 1e-9
 # a drive at its bound is within it
 ROUNDING = 1e-12
+# what bounds and margins of drives are, in place of a unit
+SHARE = "of the bounds"
 
 
 @dataclass(frozen=True)
@@ -144,7 +146,7 @@ def judge(
     margin = float(distances.max() if best else distances.min())
     return Finding(
         criterion.name, criterion.kind, title(criterion), bound, _rounded(margin, bound),
-        signal_units().get(_parts(criterion)[0], ""),
+        _unit(criterion),
     )
 
 
@@ -159,6 +161,15 @@ def variables(criteria: Iterable[CriterionTable], crane: CraneFile) -> set[str]:
         if criterion.reference is not None and not _is_file(criterion.reference):
             found.add(criterion.reference)
     return found
+
+
+def measure(criterion: CriterionTable) -> str:
+    """The unit of a criterion's bound and margin, or `SHARE`; empty where it is not known."""
+    return SHARE if criterion.kind == "drives" else _unit(criterion)
+
+
+def _unit(criterion: CriterionTable) -> str:
+    return signal_units().get(_parts(criterion)[0], "")
 
 
 def _rounded(margin: float, bound: float) -> float:

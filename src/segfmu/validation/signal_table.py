@@ -17,9 +17,9 @@ from segfmu.arrays import FloatArray, shown
 from segfmu.errors import InputError
 from segfmu.planning.rows import (
     LARGEST,
-    UNIT,
     delimiter_of,
     is_row,
+    name_and_unit,
     read_rows,
     without_units,
 )
@@ -94,7 +94,13 @@ def require_increasing(times: FloatArray, where: str) -> None:
 
 def column_names(path: Path) -> list[str]:
     """Names of the columns of a CSV file, without units."""
-    return [UNIT.sub("", cell) for cell in _header(path)[1]]
+    return [name_and_unit(cell)[0] for cell in _header(path)[1]]
+
+
+def column_units(path: Path) -> dict[str, str]:
+    """Units in brackets behind the names of the columns of a CSV file, of those that have one."""
+    found = dict(name_and_unit(cell) for cell in _header(path)[1])
+    return {name: unit for name, unit in found.items() if unit}
 
 
 def _header(path: Path) -> tuple[str, list[str]]:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 # of a scenario without a run
-ABSENT = {"kind": "run", "signal": "", "passed": False}
+ABSENT = {"kind": "run", "signal": "", "unit": "", "passed": False}
 Scenarios = str | Path | Scenario | Sequence[str | Path | Scenario]
 
 
@@ -64,7 +64,7 @@ class Suite:
         return f"<p>{escape(repr(self).strip('<>'))}</p><table>{rows}</table>"
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A row for every criterion: scenario, bound, margin, margin over bound, verdict.
+        """A row for every criterion: scenario, bound, margin, unit, margin over bound, verdict.
 
         A scenario without a run has one row, with its error.
 
@@ -76,7 +76,7 @@ class Suite:
         entries: list[tuple[Result, Finding | None]] = []
         for result in self.results:
             entries += [(result, finding) for finding in result.findings or (None,)]
-        names = ("kind", "signal", "bound", "margin", "normalised", "passed")
+        names = ("kind", "signal", "bound", "margin", "unit", "normalised", "passed")
         return frame({
             "scenario": [result.scenario.file.name for result, _ in entries],
             "criterion": [finding.name if finding else "run" for _, finding in entries],

@@ -51,6 +51,11 @@ def with_unit(number: str, unit: str) -> str:
     return f"{number} {unit}".rstrip()
 
 
+def labelled(name: str, unit: str) -> str:
+    """A name with its unit in brackets, which may be empty."""
+    return f"{name} [{unit}]" if unit else name
+
+
 def unlike(names: Iterable[str]) -> str:
     """What tells that signals are in different units; empty where none is known to be."""
     units = signal_units()

@@ -98,5 +98,9 @@ def test_what_cannot_be_compared_is_refused() -> None:
         one.against(folder)
     with pytest.raises(InputError, match="two is a search"):
         one.against(result("two", [1, 2], [0.1, 0.2], searched=("c",)))
+    with pytest.raises(InputError, match="c: margins are in m in one and in rad in two; give crit"):
+        result("one", [1, 2], [0.1, 0.2], units={"c": "m"}).against(
+            result("two", [1, 2], [0.1, 0.2], units={"c": "rad"})
+        )
     with pytest.raises(InputError, match="no run has a margin in both"):
         one.against(result("two", [1, 2], [None, None]))

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import json
+from io import StringIO
 from pathlib import Path
 
 import pyarrow
 import pyarrow.parquet
 import pytest
+from rich.console import Console
 
 from segfmu.errors import InputError
+from segfmu.validation.campaigns.campaign import load_campaign
+from segfmu.validation.campaigns.junit import write_junit
 from segfmu.validation.campaigns.result import CampaignResult, load_result
-from segfmu.validation.campaigns.store import read_table
+from segfmu.validation.campaigns.store import Store, about, read_table
+from segfmu.validation.campaigns.summary_file import write_summary
+from segfmu.validation.campaigns.tables import criteria_table
+from segfmu.validation.report import campaign_page
+from tests.validation.campaigns.files import SCENARIO, write
 
 
 @pytest.mark.parametrize(("margins", "worst"), [
@@ -28,6 +37,43 @@ def test_a_margin_that_is_no_number_is_the_worst(
     (found,) = CampaignResult("n", Path(), (), ("c",), table).summaries
     assert (found.run, found.judged) == (worst, sum(m is not None for m in margins))
     assert found.held == sum(bool(h) for h in held)
+
+
+def test_margins_are_told_with_their_units(tmp_path: Path) -> None:
+    """They were numbers "in the unit of the signal" everywhere but in suites."""
+    used = '[[criteria]]\nname = "drives"\nkind = "drives"\n'
+    text = SCENARIO + used + '[[criteria]]\nname = "own"\nsignal = "mine.y"\nbound = 1.0\n'
+    campaign = load_campaign(write(tmp_path, scenario=text))
+    units = {"follows": "m", "rests": "rad", "drives": "of the bounds", "own": ""}
+    assert campaign.units == units
+    Store(tmp_path, campaign)
+    table = pyarrow.table({
+        "run": [0, 1], "scenario": ["s.toml"] * 2, "sway": [0.0, 1.0], "payload": [1.0, 1.0],
+        "design": ["lqr"] * 2, "passed": [True] * 2, "error": [None] * 2,
+        **{f"margin.{name}": [0.5, 0.25] for name in units},
+        **{f"holds.{name}": [True, True] for name in units},
+    })
+    found = CampaignResult(folder=tmp_path, table=table, **about(tmp_path))
+    told = {"follows": "0.25 m", "rests": "0.25 rad", "drives": "0.25 of the bounds", "own": "0.25"}
+    assert {row.criterion: row.least for row in found.summaries} == told
+    assert found.worst("rests").unit == "rad"
+    page = campaign_page(found)
+    assert [row[4] for row in page.summary.rows] == list(told.values())
+    assert [chart.across for chart in page.sections[0].charts] == [
+        "margin [m]", "margin [rad]", "margin [of the bounds]", "margin",
+    ]
+    assert all(chart.caption.endswith(units[chart.title]) for chart in page.sections[0].charts)
+    shown = StringIO()
+    Console(file=shown, width=200).print(criteria_table(found))
+    assert all(f"+{text} " in shown.getvalue() for text in told.values())
+    panels = found.plot().axes
+    assert panels[0].get_xlabel() == "margin of follows [m]"
+    entries = json.loads(write_summary(found).read_text())["criteria"]
+    assert {e["criterion"]: e["unit"] for e in entries} == {n: u or None for n, u in units.items()}
+    write_junit(tmp_path / "junit.xml", found)
+    assert "least margin 0.25 rad in run 1" in (tmp_path / "junit.xml").read_text()
+    better = str(found.against(found)["follows"])
+    assert better.startswith("follows: margin 0 (0 to 0) m, no difference")
 
 
 @pytest.mark.parametrize("folder", [1, None, [], 0.5, "", " "])

@@ -135,7 +135,7 @@ def test_junit_and_a_comparison_of_the_command(
          "--against", str(whole.folder)],
         standalone_mode=False,
     )
-    assert "follows: margin 0 (0 to 0), no difference told" in capsys.readouterr().out
+    assert "follows: margin 0 (0 to 0) m, no difference told" in capsys.readouterr().out
     suite = ElementTree.parse(junit).getroot().find("testsuite")
     assert (suite.get("name"), suite.get("tests"), suite.get("errors")) == ("c", "2", "0")
     for row, test in zip(whole.summaries, suite, strict=True):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,8 @@ from segfmu.validation.campaigns.sampling import Sample, levels, samples
 from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
 from segfmu.validation.files.scenario_file import Scenario, Source, build_scenario
+from segfmu.validation.files.scenario_tables import CriterionTable
+from segfmu.validation.monitor import measure
 from segfmu.validation.requirements import words
 
 # kinds of sampling from which a probability follows
@@ -56,6 +58,8 @@ class Campaign:
         Names of those that the scenarios list.
     evidence : tuple of (str, str, str)
         Requirement, criterion and its text, of all criteria that name a requirement.
+    units : mapping of str to str
+        Of the criteria's margins, as of `measure`.
     """
 
     source: CampaignSource
@@ -63,6 +67,7 @@ class Campaign:
     criteria: tuple[str, ...]
     requirements: tuple[str, ...] = ()
     evidence: tuple[tuple[str, str, str], ...] = ()
+    units: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def factors(self) -> list[FactorTable]:
@@ -149,6 +154,7 @@ def load_campaign(path: Path) -> Campaign:
             tuple(dict.fromkeys(
                 (c.requirement, c.name, words(c)) for c in criteria if c.requirement is not None
             )),
+            _units(criteria),
         )
         if campaign.most > MOST_RUNS:
             raise InputError(f"sampling: more than {MOST_RUNS} runs")
@@ -160,6 +166,14 @@ def load_campaign(path: Path) -> Campaign:
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     return campaign
+
+
+def _units(criteria: Iterable[CriterionTable]) -> dict[str, str]:
+    """Of margins by the names of criteria; none where scenarios have several."""
+    found: dict[str, set[str]] = {}
+    for criterion in criteria:
+        found.setdefault(criterion.name, set()).add(measure(criterion))
+    return {name: units.pop() if len(units) == 1 else "" for name, units in found.items()}
 
 
 def known_runs(source: CampaignSource) -> tuple[Run, ...]:

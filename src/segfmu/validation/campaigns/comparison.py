@@ -17,7 +17,7 @@ import numpy as np
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.probability import CONFIDENCE
 from segfmu.validation.frames import frame
-from segfmu.validation.units import pretty
+from segfmu.validation.units import pretty, with_unit
 
 if TYPE_CHECKING:
     import pandas
@@ -38,8 +38,8 @@ class Difference:
     pairs : int
         Runs that have a margin in both.
     mean : float
-        Of the differences of the margins, this campaign minus the other one, in the unit of the
-        signal; positive where this one is better.
+        Of the differences of the margins, this campaign minus the other one; positive where this
+        one is better.
     low, high : float or None
         Interval at 95 % for the mean over all draws, by Student's t; None of runs that were not
         drawn at random, of which there are no others.
@@ -47,6 +47,9 @@ class Difference:
         Pairs with a larger, and a smaller margin.
     repaired, broken : int
         Pairs in which only this one holds the criterion, and only the other one.
+    unit : str
+        Of `mean`, `low` and `high`; "of the bounds" for the share of drives, empty where it is not
+        known.
     """
 
     criterion: str
@@ -58,6 +61,7 @@ class Difference:
     worse: int
     repaired: int
     broken: int
+    unit: str = ""
 
     @property
     def verdict(self) -> str:
@@ -69,11 +73,11 @@ class Difference:
         return "worse" if self.high < 0.0 else "no difference told"
 
     def __str__(self) -> str:
-        interval = ""
+        mean = pretty(self.mean)
         if self.low is not None and self.high is not None:
-            interval = f" ({pretty(self.low)} to {pretty(self.high)})"
+            mean += f" ({pretty(self.low)} to {pretty(self.high)})"
         return (
-            f"{self.criterion}: margin {pretty(self.mean)}{interval}, {self.verdict}; better in "
+            f"{self.criterion}: margin {with_unit(mean, self.unit)}, {self.verdict}; better in "
             f"{self.better}, worse in {self.worse} of {self.pairs} runs; {self.repaired} repaired, "
             f"{self.broken} broken"
         )
@@ -116,8 +120,8 @@ class Comparison:
         InputError
             If pandas is not installed.
         """
-        names = ("criterion", "pairs", "mean", "low", "high", "better", "worse", "repaired",
-                 "broken", "verdict")
+        names = ("criterion", "pairs", "mean", "low", "high", "unit", "better", "worse",
+                 "repaired", "broken", "verdict")
         return frame({n: [getattr(one, n) for one in self.differences] for n in names})
 
 
@@ -127,12 +131,20 @@ def compared(own: CampaignResult, other: CampaignResult) -> Comparison:
     Raises
     ------
     InputError
-        If their runs do not have the same draws, one is a search, or no criterion is of both.
+        If their runs do not have the same draws, one is a search, no criterion is of both, or one
+        has margins in different units.
     """
     _require_same_draws(own, other)
     names = [name for name in own.criteria if name in other.criteria]
     if not names:
         raise InputError(f"{own.name} and {other.name} have no criterion of the same name")
+    for name in names:
+        units = [result.units.get(name, "") for result in (own, other)]
+        if all(units) and units[0] != units[1]:
+            raise InputError(
+                f"{name}: margins are in {units[0]} in {own.name} and in {units[1]} in "
+                f"{other.name}; give criteria of different signals different names"
+            )
     return Comparison(
         own.name, other.name, tuple(_difference(own, other, name) for name in names)
     )
@@ -182,7 +194,7 @@ def _difference(own: CampaignResult, other: CampaignResult, name: str) -> Differ
     return Difference(
         name, len(values), float(np.mean(values)), low, high, sum(v > 0.0 for v in values),
         sum(v < 0.0 for v in values), verdicts.count((True, False)),
-        verdicts.count((False, True)),
+        verdicts.count((False, True)), own.units.get(name, "") or other.units.get(name, ""),
     )
 
 

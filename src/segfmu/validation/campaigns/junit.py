@@ -9,7 +9,6 @@ from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.campaigns.tables import case
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
-from segfmu.validation.units import pretty
 
 
 def write_junit(path: Path, result: CampaignResult) -> None:
@@ -41,9 +40,8 @@ def _outcome(row: Summary) -> str:
 def _told(result: CampaignResult, row: Summary) -> str:
     if row.run is None:
         return "no run came to a verdict"
-    least = "no number" if row.worst is None else pretty(row.worst)
     rate = "" if row.fails is None else f"; fails (95 %): {row.fails}"
     return (
-        f"{row.held} of {row.judged} runs hold it{rate}; least margin {least} in run {row.run}: "
-        f"{case(result.values(row.run))}; {result.command(row.run)}"
+        f"{row.held} of {row.judged} runs hold it{rate}; least margin {row.least} in run "
+        f"{row.run}: {case(result.values(row.run))}; {result.command(row.run)}"
     )

@@ -23,7 +23,6 @@ from segfmu.validation.campaigns.summary import Summary, WorstCase
 from segfmu.validation.frames import frame
 from segfmu.validation.output import folder_path
 from segfmu.validation.requirements import Evidence, Requirement, gathered
-from segfmu.validation.units import pretty
 
 if TYPE_CHECKING:
     import pandas
@@ -59,6 +58,9 @@ class CampaignResult:
         Requirement, criterion and its text, of all criteria that name a requirement.
     rare : mapping
         What a search for rare failures found, by the names of its criteria.
+    units : mapping of str to str
+        Of margins and bounds, by the names of criteria; "of the bounds" for the share of drives,
+        empty where it is not known.
     """
 
     name: str
@@ -71,6 +73,7 @@ class CampaignResult:
     named: tuple[str, ...] = ()
     evidence: tuple[tuple[str, str, str], ...] = ()
     rare: Mapping[str, Found] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
 
     def column(self, name: str) -> list[Any]:
         """The values of a column, None where there is none.
@@ -145,7 +148,7 @@ class CampaignResult:
         row = self._summary(criterion)
         if row.run is None or row.worst is None:
             raise InputError(f"{criterion}: no run came to a verdict")
-        return WorstCase(row.run, row.worst, self.values(row.run), self.command(row.run))
+        return WorstCase(row.run, row.worst, self.values(row.run), self.command(row.run), row.unit)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table of runs, by their numbers.
@@ -216,14 +219,14 @@ class CampaignResult:
 
     def _summary(self, name: str) -> Summary:
         margins, held = self.column(f"margin.{name}"), self.column(f"holds.{name}")
-        runs = self.column("run")
+        runs, unit = self.column("run"), self.units.get(name, "")
         judged = [i for i, verdict in enumerate(held) if verdict is not None]
         if not judged:
-            return Summary(name, 0, 0, None, None)
+            return Summary(name, 0, 0, None, None, unit=unit)
         place = min(judged, key=lambda i: -float("inf") if isnan(margins[i]) else margins[i])
         count = sum(held[i] for i in judged)
         fails = self.rare.get(name) or self._fails({runs[i]: held[i] for i in judged})
-        return Summary(name, len(judged), count, margins[place], runs[place], fails)
+        return Summary(name, len(judged), count, margins[place], runs[place], fails, unit)
 
     def _fails(self, held: dict[int, bool]) -> Probability | None:
         """Scenarios share their draws, so that one counts once: as failed if it fails in any."""
@@ -241,7 +244,7 @@ def _evidence(row: Summary, text: str, errors: int) -> Evidence:
     lost = f", {errors} runs without a verdict" if errors else ""
     if row.worst is None:
         return Evidence(text, f"no verdict{lost}", None)
-    found = f"{row.held} of {row.judged} runs hold it, least margin {pretty(row.worst)}{lost}"
+    found = f"{row.held} of {row.judged} runs hold it, least margin {row.least}{lost}"
     if row.held < row.judged:
         return Evidence(text, found, False)
     return Evidence(text, found, None if errors else True)

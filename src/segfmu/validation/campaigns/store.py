@@ -113,6 +113,7 @@ class Store:
             "factors": [f.name for f in self._campaign.factors],
             "criteria": list(self._campaign.criteria),
             "requirements": self._campaign.requirements, "evidence": self._campaign.evidence,
+            "units": dict(self._campaign.units),
             "fingerprint": self._campaign.fingerprint(),
         }
         if path.exists():
@@ -291,15 +292,16 @@ def about(folder: Path) -> dict[str, Any]:
     """
     found = _about(folder / ABOUT)
     try:
-        # campaigns of older versions have no draws, searches and requirements
+        # campaigns of older versions have no draws, searches, requirements and units
         return {
             "name": found["name"], "factors": tuple(found["factors"]),
             "criteria": tuple(found["criteria"]), "draws": found.get("draws", 0),
             "searched": tuple(found.get("searched", ())),
             "named": tuple(found.get("requirements", ())),
             "evidence": tuple(tuple(entry) for entry in found.get("evidence", ())),
+            "units": {name: str(unit) for name, unit in dict(found.get("units", {})).items()},
         }
     except KeyError as key:
         raise InputError(f"{folder / ABOUT}: no campaign: {key} is missing") from None
-    except TypeError as error:
+    except (TypeError, ValueError) as error:
         raise InputError(f"{folder / ABOUT}: no campaign: {error}") from None

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from segfmu.validation.campaigns.rare import Found
+from segfmu.validation.units import pretty, with_unit
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,8 @@ class Summary:
     fails : Probability, RareProbability or None
         That it fails; None without a verdict, and of runs that were chosen otherwise than at random
         or for this.
+    unit : str
+        Of the margin; "of the bounds" for the share of drives, empty where it is not known.
     """
 
     criterion: str
@@ -32,6 +35,12 @@ class Summary:
     worst: float | None
     run: int | None
     fails: Found | None = None
+    unit: str = ""
+
+    @property
+    def least(self) -> str:
+        """The least margin as it is told; empty without a verdict."""
+        return "" if self.worst is None else with_unit(pretty(self.worst), self.unit)
 
     @property
     def share(self) -> float:
@@ -47,14 +56,16 @@ class WorstCase:
     ----------
     run : int
     margin : float
-        In the unit of the signal.
     factors : dict
         Values of all factors by name.
     command : str
         That makes it again.
+    unit : str
+        Of the margin, as in a `Summary`.
     """
 
     run: int
     margin: float
     factors: dict[str, Any]
     command: str
+    unit: str = ""

@@ -44,8 +44,8 @@ def _entry(result: CampaignResult, row: Summary) -> dict[str, Any]:
     entry: dict[str, Any] = {
         "criterion": row.criterion, "judged": row.judged, "held": row.held,
         # JSON has neither NaN nor infinity
-        "worst_margin": row.worst if known else None, "worst_run": row.run, "worst_case": None,
-        "replay": None, "fails": None,
+        "worst_margin": row.worst if known else None, "unit": row.unit or None,
+        "worst_run": row.run, "worst_case": None, "replay": None, "fails": None,
     }
     if row.run is not None:
         entry |= {"worst_case": result.values(row.run), "replay": result.command(row.run)}

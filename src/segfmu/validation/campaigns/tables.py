@@ -10,7 +10,7 @@ from rich.table import Table
 
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.summary import Summary
-from segfmu.validation.units import pretty
+from segfmu.validation.units import pretty, with_unit
 
 FAILS = "fails (95 %)"
 # of the factors of a criterion
@@ -36,7 +36,7 @@ def criteria_table(result: CampaignResult) -> Table:
             name, justify="left" if left else "right", no_wrap=not left, min_width=9 if left else 0
         )
     for row in result.summaries:
-        worst = "" if row.worst is None else f"{row.worst:+.4g}"
+        worst = "" if row.worst is None else with_unit(f"{row.worst:+.4g}", row.unit)
         verdict = "green" if row.judged and row.held == row.judged else "red"
         cells = {
             "held": f"{row.held} of {row.judged}",

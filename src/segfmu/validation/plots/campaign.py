@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from segfmu.validation.plots.style import COLOURS, apart, grid, label, panels_of
+from segfmu.validation.units import labelled
 
 if TYPE_CHECKING:
     from segfmu.validation.campaigns.result import CampaignResult
@@ -27,10 +28,10 @@ def plot_campaign(result: CampaignResult) -> Figure:
     rows = max(len(shown), 1)
     figure, panels = panels_of(rows, 2, size=(WIDTH, HEIGHT * rows + 0.6))
     for (name, margins), (left, right) in zip(shown, np.reshape(panels, (rows, 2)), strict=False):
-        values = np.array(list(margins.values()))
+        values, unit = np.array(list(margins.values())), result.units.get(name, "")
         left.hist(values, bins=BINS, color=COLOURS[0], zorder=2)
         left.locator_params(axis="y", integer=True)
-        left.set(xlabel=label(f"margin of {name}", LINE), ylabel="runs")
+        left.set(xlabel=label(labelled(f"margin of {name}", unit), LINE), ylabel="runs")
         if values.min() < 0.0:
             left.axvspan(min(values.min(), 0.0), 0.0, color="#888888", alpha=0.25, linewidth=0.0)
         apart(left)
@@ -43,7 +44,7 @@ def plot_campaign(result: CampaignResult) -> Figure:
         places = [known[run] for run in margins]
         right.plot(places, values, ".", color=COLOURS[0], markersize=3)
         right.axhline(0.0, color="#888888", linewidth=0.8)
-        right.set(xlabel=label(factor, LINE), ylabel="margin")
+        right.set(xlabel=label(factor, LINE), ylabel=labelled("margin", unit))
         apart(right)
         grid(right)
     figure.suptitle(label(result.name))

@@ -11,17 +11,17 @@ from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
 from segfmu.validation.report.curves import digits
+from segfmu.validation.report.motion import powers
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
 from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.report.suite_page import runs
-from segfmu.validation.units import pretty
+from segfmu.validation.units import labelled, pretty, with_unit
 
 if TYPE_CHECKING:
     from segfmu.validation.suites import Suite
 
 # of a distribution; points and errors that are shown
 MOST_BINS, MOST_POINTS, MOST_ERRORS = 30, 1000, 50
-MARGIN = "margin, in the unit of the signal"
 
 
 def campaign_page(result: CampaignResult, worst: Suite | None = None) -> Page:
@@ -65,7 +65,7 @@ def _overview(result: CampaignResult) -> Table:
             rates = (fails,) if result.rare else ()
         rows.append((
             row.criterion, f"{row.held} of {row.judged}", *rates,
-            "" if row.worst is None else pretty(row.worst),
+            powers(row.least),
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
     last = "worst case" if result.searched else "depends most on"
@@ -101,9 +101,10 @@ def _distributions(result: CampaignResult) -> Section:
         span = float(np.ptp(edges))
         curve = Curve(row.criterion, "run", digits(edges, span), [*map(int, counts), 0])
         low, middle, high = (pretty(float(q)) for q in np.quantile(margins, (0.05, 0.5, 0.95)))
+        spread, unit = f"median {middle}, nine of ten from {low} to {high}", powers(row.unit)
         charts.append(Chart(
-            row.criterion, "runs", f"median {middle}, nine of ten from {low} to {high}", [curve],
-            (0.0, None) if edges[0] < 0.0 else (None, None), "steps", MARGIN,
+            row.criterion, "runs", with_unit(spread, unit), [curve],
+            (0.0, None) if edges[0] < 0.0 else (None, None), "steps", labelled("margin", unit),
         ))
     text = "How many runs have which margin. Grey: the criterion does not hold."
     return Section("Distribution of the margins", text, charts=charts)
@@ -121,7 +122,7 @@ def _dependence(result: CampaignResult) -> list[Section]:
         ]
         first = next((s for s in found if s.signed and s.chance < CHANCE), None)
         if first is not None:
-            charts.append(_points(result, row.criterion, first.factor, first.effect))
+            charts.append(_points(result, row, first.factor, first.effect))
     if not rows:
         return []
     heads = ("criterion", "factor", "effect on the margin", "kind", "by chance")
@@ -133,8 +134,8 @@ def _dependence(result: CampaignResult) -> list[Section]:
                     tables=[Table("Sensitivities", heads, rows)])]
 
 
-def _points(result: CampaignResult, criterion: str, factor: str, effect: float) -> Chart:
-    margins = _margins(result, criterion)
+def _points(result: CampaignResult, row: Summary, factor: str, effect: float) -> Chart:
+    margins = _margins(result, row.criterion)
     values = np.array([np.nan if v is None else v for v in result.column(factor)], dtype=float)
     known = np.flatnonzero(np.isfinite(margins) & np.isfinite(values))
     # the worst ones are among them
@@ -143,7 +144,7 @@ def _points(result: CampaignResult, criterion: str, factor: str, effect: float) 
     x, y = values[kept], margins[kept]
     curve = Curve("run", "run", digits(x, float(np.ptp(x))), digits(y, float(np.ptp(y))))
     return Chart(
-        criterion, "margin", f"effect {effect:+.2f}", [curve],
+        row.criterion, labelled("margin", powers(row.unit)), f"effect {effect:+.2f}", [curve],
         (0.0, None) if y.min() < 0.0 else (None, None), "points", factor,
     )
 
@@ -153,7 +154,7 @@ def _worst(result: CampaignResult) -> list[Section]:
     for row in result.summaries:
         if row.run is not None:
             rows.append((
-                row.criterion, str(row.run), pretty(row.worst or 0.0),
+                row.criterion, str(row.run), powers(row.least),
                 case(result.values(row.run)),
             ))
     if not rows:
