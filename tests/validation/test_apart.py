@@ -9,20 +9,41 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from segfmu.cosim.messages import LOGGER
-from segfmu.errors import InputError
+from segfmu.errors import InputError, SimulationError
 from segfmu.validation.apart import Apart, Ended
 
 
 @contextmanager
-def working() -> Iterator[Callable[[str], tuple[int, str]]]:
+def working() -> Iterator[Callable[[Any], Any]]:
     yield work
 
 
-def work(task: str) -> tuple[int, str]:
+class Two(Exception):
+    """As of other packages: pickle cannot make it again of its text."""
+
+    def __init__(self, first: str, second: str) -> None:
+        super().__init__(f"{first} and {second}")
+
+
+class Bare:
+    """What pickle writes, and no other process can read."""
+
+    def __reduce__(self) -> Any:
+        return made, (os.getpid(),)
+
+
+def made(process: int) -> Bare:
+    if process != os.getpid():
+        raise TypeError("not here")
+    return Bare()
+
+
+def work(task: Any) -> Any:
     """The process and its place for temporary files, but for some words."""
     if task == "refuse":
         raise InputError("not this")
@@ -32,6 +53,14 @@ def work(task: str) -> tuple[int, str]:
         LOGGER.info("not wanted")
     if task == "hang":
         signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    if task == "say more":
+        LOGGER.warning("%s", lambda: "no text")
+    if task == "no result":
+        return lambda: None
+    if task == "no result there":
+        return Bare()
+    if task == "no error":
+        raise Two("this", "that")
     if task == "exit":
         os._exit(0)
     if task == "die":
@@ -63,6 +92,32 @@ def test_an_end_is_an_error_and_the_next_call_has_another_process(task: str, rea
             apart(task)
         assert not Path(place).exists()
         assert apart("")[0] != process
+
+
+@pytest.mark.parametrize(("task", "kind", "told"), [
+    ("no result", SimulationError, "the result of the process that has .* cannot be pickled: .*la"),
+    ("no result there", SimulationError, "the result .* cannot be read: TypeError: not here"),
+    ("no error", SimulationError, "^Two: this and that$"),
+    (lambda: None, InputError, "what is given to the process .* cannot be pickled: .*lambda"),
+    (Bare(), InputError, "what is given .* cannot be made there: TypeError: not here"),
+])
+def test_what_goes_from_process_to_process_is_told_as_what_it_is(
+    task: object, kind: type[Exception], told: str
+) -> None:
+    """All were "an FMU ended its process: exit code 1"."""
+    with Apart(working) as apart:
+        process, _ = apart("")
+        with pytest.raises(kind, match=told) as found:
+            apart(task)
+        assert not isinstance(found.value, Ended)
+        assert (apart("")[0] == process) is (task != "no result there")
+
+
+def test_a_message_of_what_cannot_be_pickled_is_a_text(caplog: pytest.LogCaptureFixture) -> None:
+    with Apart(working) as apart, caplog.at_level(logging.WARNING, LOGGER.name):
+        apart("say more")
+    (record,) = caplog.records
+    assert record.getMessage().startswith("<function work.<locals>.<lambda>")
 
 
 def test_a_process_that_hangs_is_killed_though_the_wait_for_it_is_interrupted() -> None:

@@ -19,7 +19,7 @@ from threading import Lock
 from typing import IO, Any, Generic, ParamSpec, TypeVar
 
 from segfmu.cosim.messages import LOGGER
-from segfmu.errors import SimulationError
+from segfmu.errors import InputError, SimulationError, first_line
 from segfmu.folders import make_folder, remove_folder
 
 Arguments = ParamSpec("Arguments")
@@ -29,6 +29,10 @@ Found = TypeVar("Found")
 PATIENCE = 5.0
 # kinds of what the process tells
 SAID, FOUND, RAISED = range(3)
+# what goes from process to process, and how
+GIVEN = "what is given to the process that has the FMUs of others"
+MADE = "the result of the process that has the FMUs of others"
+PICKLED = "use values and classes that pickle takes, of modules that both processes import"
 
 
 class Ended(SimulationError):
@@ -39,7 +43,7 @@ class Apart(Generic[Arguments, Found]):
     """Calls a function in another process; a context manager that ends it.
 
     The process begins with the first call, and anew with the one after its end. A signal of the
-    terminal does not reach it. Arguments and results are pickled.
+    terminal does not reach it. Arguments, results and errors are pickled.
 
     Parameters
     ----------
@@ -68,15 +72,29 @@ class Apart(Generic[Arguments, Found]):
         ------
         Ended
             If the process ended, with its signal or exit code.
+        InputError
+            For arguments that cannot be pickled, or that the process cannot make of that.
+        SimulationError
+            For a result that cannot be pickled, and in place of an error of the function of which
+            this is true.
         Exception
             That of the function.
         """
+        try:
+            # as bytes, which are read whole, whatever becomes of them
+            given = pickle.dumps((values, named))
+        except Exception as error:
+            raise InputError(f"{GIVEN} cannot be pickled: {_told(error)}; {PICKLED}") from None
         process = self._process or self._begin()
         try:
-            _send(process.stdin, (values, named))
+            _send(process.stdin, pickle.dumps(given))
             kind, told = _heard(process.stdout)
         except (EOFError, OSError, pickle.UnpicklingError):
             raise Ended(f"an FMU ended its process: {self._reason(process)}") from None
+        except Exception as error:
+            # what is left of it would pass for the next one
+            self.close()
+            raise SimulationError(f"{MADE} cannot be read: {_told(error)}; {PICKLED}") from None
         if kind == RAISED:
             raise told
         found: Found = told
@@ -107,7 +125,7 @@ class Apart(Generic[Arguments, Found]):
             stdin=subprocess.PIPE, stdout=subprocess.PIPE,
         )
         with suppress(OSError):
-            _send(self._process.stdin, self._make)
+            _send(self._process.stdin, pickle.dumps(self._make))
         return self._process
 
     def _reason(self, process: subprocess.Popen[bytes]) -> str:
@@ -118,10 +136,14 @@ class Apart(Generic[Arguments, Found]):
         return signal.Signals(-code).name if code < 0 else f"exit code {code}"
 
 
-def _send(pipe: IO[bytes] | None, what: object) -> None:
+def _send(pipe: IO[bytes] | None, pickled: bytes) -> None:
     assert pipe is not None
-    pipe.write(pickle.dumps(what))
+    pipe.write(pickled)
     pipe.flush()
+
+
+def _told(error: Exception) -> str:
+    return f"{type(error).__name__}: {first_line(error)}"
 
 
 def _heard(pipe: IO[bytes] | None) -> tuple[int, Any]:
@@ -136,18 +158,19 @@ def _heard(pipe: IO[bytes] | None) -> tuple[int, Any]:
 
 
 class _Records(logging.Handler):
-    """Sends all records; runs that are given up log in threads of their own."""
+    """Sends all records, as texts; runs that are given up log in threads of their own."""
 
     def __init__(self, replies: IO[bytes]) -> None:
         super().__init__(logging.INFO)
         self._replies, self._sending = replies, Lock()
 
     def emit(self, record: logging.LogRecord) -> None:
-        self.send(SAID, record)
+        text = {"msg": record.getMessage(), "args": None, "exc_info": None}
+        self.send(pickle.dumps((SAID, logging.makeLogRecord(vars(record) | text))))
 
-    def send(self, kind: int, what: object) -> None:
+    def send(self, pickled: bytes) -> None:
         with self._sending:
-            _send(self._replies, (kind, what))
+            _send(self._replies, pickled)
 
 
 def main() -> None:
@@ -164,9 +187,32 @@ def main() -> None:
     LOGGER.propagate = False
     with suppress(EOFError), pickle.load(calls)() as function:
         while True:
-            values, named = pickle.load(calls)
-            try:
-                found = FOUND, function(*values, **named)
-            except Exception as error:
-                found = RAISED, error
-            records.send(*found)
+            records.send(_reply(function, pickle.load(calls)))
+
+
+def _reply(function: Callable[..., object], given: bytes) -> bytes:
+    """What a call came to, pickled."""
+    try:
+        values, named = pickle.loads(given)
+    except Exception as error:
+        text = f"{GIVEN} cannot be made there: {_told(error)}; {PICKLED}"
+        return pickle.dumps((RAISED, InputError(text)))
+    try:
+        found = function(*values, **named)
+    except Exception as error:
+        return _raised(error)
+    try:
+        return pickle.dumps((FOUND, found))
+    except Exception as error:
+        text = f"{MADE} cannot be pickled: {_told(error)}; {PICKLED}"
+        return pickle.dumps((RAISED, SimulationError(text)))
+
+
+def _raised(error: Exception) -> bytes:
+    """An error, pickled; in place of one that is not made again of this its text."""
+    try:
+        pickled = pickle.dumps((RAISED, error))
+        pickle.loads(pickled)
+    except Exception:
+        return pickle.dumps((RAISED, SimulationError(_told(error))))
+    return pickled
