@@ -51,6 +51,7 @@ def identify(
 
     Shown are intervals at 95 %, what the logs cannot tell, and how what was not fitted is followed.
     """
+    from segfmu.validation.identification.crane_output import crane_text
     from segfmu.validation.identification.identify import identify as identified
     from segfmu.validation.identification.result_file import write_results
     from segfmu.validation.plots.style import save
@@ -71,6 +72,8 @@ def identify(
             validation=validation, tube=tube, progress=progress,
         )
     _show(found)
+    # a crane that there is not leaves no files
+    crane_text(found, Path(output) / CRANE)
     target = folder(output)
     write_results(found, target / RESULTS)
     save(found.plot(), target / PLOT)

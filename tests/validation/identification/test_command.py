@@ -8,11 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import tomlkit
 from benchmarks.synthetic_logs import synthetic
 
 import segfmu
 from segfmu import cli
 from segfmu.errors import InputError
+from tests.validation.identification.swapped import swapped
 
 CRANE = """# a crane
 bridge_mass = 2.2      # kg, data sheet
@@ -93,6 +95,25 @@ def test_an_estimate_that_no_crane_file_may_have_is_not_written(tmp_path: Path) 
     with pytest.raises(InputError, match=r"payload_mass: .* is outside load\.mass_range"):
         found.write(tmp_path / "crane.toml")
     assert not list(tmp_path.iterdir())
+
+
+def test_columns_that_are_swapped_leave_no_files(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A crane file with a rope longer by far than the measured one was written."""
+    columns, known = swapped()
+    log, crane = tmp_path / "log.csv", tmp_path / "crane.toml"
+    table = np.stack(list(columns.values()), axis=1)
+    np.savetxt(log, table, delimiter=",", header=",".join(columns), comments="")
+    crane.write_text(tomlkit.dumps(known), encoding="utf-8")
+    with pytest.raises(InputError, match=r"no crane has sensors\.rope\.zero .* are swapped"):
+        cli.app(
+            ["identify", str(log), "--crane", str(crane), "-o", str(tmp_path / "out"),
+             "--fit", "sensors.rope.zero", "--fit", "sensors.sway_y.zero"],
+            standalone_mode=False,
+        )
+    assert "the fitted crane does not follow measured.sway." in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_column_option_without_a_name_is_refused(tmp_path: Path) -> None:

@@ -14,18 +14,28 @@ from segfmu.cosim.result import replacing
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_parameters import check
 from segfmu.validation.files.reading import checked
+from segfmu.validation.identification.possible import require_possible
 from segfmu.validation.identification.result import Estimate, Identification, Untold
 from segfmu.validation.units import pretty
 
 
 def write(found: Identification, path: Path) -> Path:
-    """Write the crane file; each fitted value has its interval and the logs as a comment.
+    """Write the crane file; raises as `crane_text`, and if it cannot be written."""
+    text = crane_text(found, path)
+    with replacing(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+    return path
+
+
+def crane_text(found: Identification, path: Path) -> str:
+    """What the crane file has; each fitted value has its interval and the logs as a comment.
 
     Raises
     ------
     InputError
-        If it cannot be written, or an estimate is none that a crane file may have.
+        If an estimate is none that a crane has or its file, at this path, may have.
     """
+    require_possible(found.impossible)
     if found.source is None:
         document = tomlkit.document()
         document.update(found.nominal.model_dump(exclude_unset=True))
@@ -38,9 +48,7 @@ def write(found: Identification, path: Path) -> Path:
         _note(document, untold, names)
     text = tomlkit.dumps(document)
     check(checked(CraneFile, document.unwrap(), str(path)), str(path))
-    with replacing(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-    return path
+    return text
 
 
 def rounded(estimate: Estimate) -> float:

@@ -27,8 +27,9 @@ from segfmu.validation.identification.log import (
     read_log,
 )
 from segfmu.validation.identification.model import Model
+from segfmu.validation.identification.possible import impossible
 from segfmu.validation.identification.prediction import Prediction, prediction, zeros_of
-from segfmu.validation.identification.quantities import SMALL, Sizes, quantity, usual
+from segfmu.validation.identification.quantities import FAR, SMALL, Quantity, Sizes, quantity, usual
 from segfmu.validation.identification.result import Estimate, Identification, Untold
 from segfmu.validation.identification.unknowns import Unknowns
 from segfmu.validation.progress import Progress, quiet
@@ -40,8 +41,6 @@ TUBE = 0.05
 # periods of the pendulum: of the start of a log that is not fitted; of a piece of a log with force
 # drives, in which small errors of forces grow, so that a long one has many valleys
 PERIODS, PIECE = 1.0, 2.0
-# times a bound of the rope, beyond which a length is in another unit
-FAR = 10.0
 # share of the rows whose rope is too short to be believed
 RARE = 0.01
 
@@ -138,6 +137,7 @@ def identify(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),
         tuple(later), found.converged,
         tuple(gap for log in every if (gap := longest_gap(log)) is not None),
+        tuple(impossible(file, _told(unknowns, found), fitted, sizes)),
     )
 
 
@@ -246,17 +246,18 @@ def _sizes(file: CraneFile, logs: Sequence[Log]) -> Sizes:
     return Sizes(masses, length, shortest, file.gravity)
 
 
+def _told(unknowns: Unknowns, fit: Fit) -> list[tuple[Quantity, float]]:
+    """Parameters that the log tells, and their values."""
+    values = unknowns.values(fit.point).tolist()
+    return [(q, values[i]) for i, q in enumerate(unknowns.quantities) if i in fit.free]
+
+
 def _estimates(unknowns: Unknowns, fit: Fit) -> tuple[Estimate, ...]:
     found = []
-    values = unknowns.values(fit.point)
-    for i, q in enumerate(unknowns.quantities):
-        if i not in fit.free:
-            continue
-        half = fit.half[i] * q.scale
-        ends = np.clip([values[i] - half, values[i] + half], q.low, q.high) * q.factor
-        found.append(Estimate(
-            q.key, q.unit, q.before * q.factor, float(values[i] * q.factor), *ends.tolist()
-        ))
+    for q, value in _told(unknowns, fit):
+        half = fit.half[unknowns.quantities.index(q)] * q.scale
+        ends = np.clip([value - half, value + half], q.low, q.high) * q.factor
+        found.append(Estimate(q.key, q.unit, q.before * q.factor, value * q.factor, *ends.tolist()))
     return tuple(found)
 
 

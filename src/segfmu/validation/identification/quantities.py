@@ -18,6 +18,8 @@ SMALL = 0.1
 LEAST_LAG, LEAST_MASS = 1e-2, 1e-3
 # share of its scale from which on what cannot be negative is searched: at a bound there is no way
 FROM = 0.3
+# times a value that is known, beyond which another one is in another unit
+FAR = 10.0
 # greatest zero of the rope as a share of its shortest length: a load on hardly any rope turns so
 # fast that runs do not end. A rope may be longer than what is measured by any sling
 FARTHEST = 0.5
@@ -148,13 +150,13 @@ def quantity(key: str, crane: CraneFile, value: Callable[[str], Any], sizes: Siz
     scale = make(sizes, next((i for i, a in enumerate(DRIVES) if a in key.split(".")), 0))
     # friction that breaks away is not below the one that slides
     static = float(value(variable.replace(".coulomb", ".static"))) if "coulomb" in key else 0.0
-    low, high = least * scale, min(static or inf, _most(key, sizes))
+    low, high = least * scale, min(static or inf, greatest(key, sizes))
     start = min(max(before, low if least < 0.0 else FROM * scale), high)
     factor = degrees(1.0) if entry.key.unit == "deg" else 1.0
     return Quantity(key, variable, entry.key.unit, factor, before, start, scale, low, high)
 
 
-def _most(key: str, sizes: Sizes) -> float:
+def greatest(key: str, sizes: Sizes) -> float:
     """The greatest value that a key has on cranes."""
     if key == "sensors.rope.zero":
         return FARTHEST * sizes.shortest

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.identification.gaps import Gap
+from segfmu.validation.identification.possible import Impossible
 from segfmu.validation.identification.prediction import (
     Beyond,
     Poor,
@@ -101,6 +102,8 @@ class Identification:
     gaps : tuple of Gap
         The longest time of each log without rows, shorter than a period of the pendulum, in which
         setpoints changed.
+    impossible : tuple of Impossible
+        Estimates that no crane has; there is no crane file of them.
     """
 
     source: Path | None
@@ -111,6 +114,7 @@ class Identification:
     predicted: tuple[Prediction, ...]
     converged: bool = True
     gaps: tuple[Gap, ...] = ()
+    impossible: tuple[Impossible, ...] = ()
 
     def __getitem__(self, key: str) -> Estimate:
         for estimate in self.estimates:
@@ -148,7 +152,7 @@ class Identification:
         Raises
         ------
         InputError
-            If it cannot be written, or an estimate is none that a crane file may have.
+            If it cannot be written, or an estimate is none that a crane has or its file may have.
         """
         from segfmu.validation.identification.crane_output import write
 
