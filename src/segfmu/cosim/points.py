@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import ceil
 
 import numpy as np
@@ -12,6 +13,8 @@ from segfmu.errors import InputError
 
 # results of two FMUs take 0.7 kB a step
 MAX_STEPS = 2_000_000
+# a share of a step that is rounding
+SAME = 1e-9
 
 
 def require_steps(duration: float, step: float) -> None:
@@ -36,13 +39,52 @@ def require_step(step: float) -> None:
         raise InputError(f"step must be a time > 0 s, got {shown(step)}")
 
 
+def step_counts(
+    names: Sequence[str], steps: Mapping[str, float], step: float, coupling: str | None
+) -> list[int]:
+    """How many communication steps a step of each FMU has.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the FMUs, in the order in which they step.
+    steps : mapping of str to float
+        Of some of them [s].
+    step : float
+        Communication step [s].
+    coupling : str, optional
+        That was asked for.
+
+    Raises
+    ------
+    InputError
+        For a step that is no multiple, one of the first FMU, and derivatives with several steps.
+    """
+    counts = dict.fromkeys(names, 1)
+    for owner, own in steps.items():
+        require_step(own)
+        counts[owner] = round(own / step)
+        if abs(counts[owner] * step - own) > SAME * own:
+            raise InputError(
+                f"step {own} s of {owner} is no multiple of the communication step {step} s"
+            )
+    if counts[names[0]] > 1:
+        raise InputError(
+            f"{names[0]} steps first, and with the communication step; name another FMU first, or "
+            "leave out its step"
+        )
+    if coupling == "derivatives" and max(counts.values()) > 1:
+        raise InputError('coupling "derivatives" needs one step for all FMUs')
+    return list(counts.values())
+
+
 def communication_points(start: float, stop: float, step: float) -> NDArray[np.float64]:
     """Times start + i * step, the last one at stop."""
     require_step(step)
     if not finite_number("stop_time", stop) > finite_number("start_time", start):
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
     require_steps(stop - start, step)
-    count = max(ceil((stop - start) / step - 1e-9), 1)
+    count = max(ceil((stop - start) / step - SAME), 1)
     times: NDArray[np.float64] = start + np.arange(count + 1, dtype=np.float64) * step
     times[-1] = stop
     return times

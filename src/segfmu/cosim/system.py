@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import as_names, as_tuple, require_mapping, shown
 from segfmu.cosim import native
-from segfmu.cosim.change import Change, Due, due
+from segfmu.cosim.change import Change, due
 from segfmu.cosim.connection import Link, by_name, checked
 from segfmu.cosim.loop import Loop
-from segfmu.cosim.points import communication_points, require_step
+from segfmu.cosim.points import communication_points, require_step, step_counts
 from segfmu.cosim.schedule import Coupling, initialise, scheduled
 from segfmu.cosim.table import chosen, columns, fields
 from segfmu.cosim.tape import OffTape, Tape
@@ -25,8 +25,6 @@ from segfmu.errors import InputError, SimulationError, meant
 
 # parameter of a source by which its outputs are ahead of time
 LEAD = "setpoint.lead"
-# a share of a step that is rounding
-SAME = 1e-9
 
 Engine = Literal["auto", "c", "python"]
 
@@ -122,7 +120,10 @@ class System:
             kept = None if kept is None else as_names("kept", kept)
             self._recorded = fields(chosen(self._units, record), kept)
             self._observe()
-            self._every = self._counts({} if steps is None else steps, coupling)
+            steps = {} if steps is None else steps
+            require_mapping("steps", steps)
+            self._require_units({owner: {} for owner in steps})
+            self._every = step_counts(self.names, steps, step, coupling)
             if coupling is None:
                 derivatives = all(link.has_slopes for link in self._links) and not steps
                 coupling = "derivatives" if derivatives else "sequential"
@@ -270,28 +271,6 @@ class System:
             for (source, sink), names in pairs.items()
         ]
 
-    def _counts(self, steps: Mapping[str, float], coupling: Coupling | None) -> list[int]:
-        """How many communication steps a step of each FMU has."""
-        require_mapping("steps", steps)
-        self._require_units({owner: {} for owner in steps})
-        counts = dict.fromkeys(self.names, 1)
-        for owner, own in steps.items():
-            require_step(own)
-            counts[owner] = round(own / self._step)
-            if abs(counts[owner] * self._step - own) > SAME * own:
-                raise InputError(
-                    f"step {own} s of {owner} is no multiple of the communication step "
-                    f"{self._step} s"
-                )
-        if counts[self.names[0]] > 1:
-            raise InputError(
-                f"{self.names[0]} steps first, and with the communication step; name another FMU "
-                "first, or leave out its step"
-            )
-        if coupling == "derivatives" and max(counts.values()) > 1:
-            raise InputError('coupling "derivatives" needs one step for all FMUs')
-        return list(counts.values())
-
     def _prepared(self) -> Loop | native.NativeLoop:
         units = list(self._units.values())
         schedule = scheduled(
@@ -327,12 +306,13 @@ class System:
     ) -> NDArray[np.void]:
         sinks = {c.sink for c in self.connections}
         leading = {n for n in self.names if n not in sinks and values.get(n, {}).get(LEAD)}
-        self._renew(bool(leading) and self._coupling == "parallel")
+        ahead = bool(leading) and self._coupling == "parallel"
+        self._renew(ahead)
         start, stop = float(times[0]), float(times[-1])
         connected = {(c.sink, c.input) for c in self.connections}
         pending = due(self._units, changes, connected, (start, stop))
         units = list(self._units.values())
-        self._tape.begin(self._key(values, pending, (start, stop, len(times))))
+        self._tape.begin(self._units, values, pending, (start, stop, len(times), ahead))
         silent = [unit for unit in units if self._tape.silent(unit)]
         try:
             for owner, unit in self._units.items():
@@ -351,20 +331,6 @@ class System:
         _all(unit.finish for unit in reversed(units))
         progress(1.0)
         return rows
-
-    def _key(
-        self, values: Mapping[str, Mapping[str, Any]], pending: Sequence[Due], span: Any
-    ) -> Any:
-        """All that the FMUs on the tape hear in a run; None if they hear of changes."""
-        units = list(self._units.values())
-        if any(self._tape.has(units[change.unit]) for change in pending):
-            return None
-        # lists can be compared, arrays cannot
-        own = {
-            n: {k: np.asarray(v).tolist() for k, v in values.get(n, {}).items()}
-            for n, u in self._units.items() if self._tape.has(u)
-        }
-        return own, [change.time for change in pending], span, self._ahead
 
 
 def _all(calls: Iterable[Callable[[], None]]) -> None:

@@ -8,13 +8,14 @@ tells, and those behind it hear it from the tape.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.cosim.change import Due
 from segfmu.cosim.layout import RECORDS, REPEATS, UNUSED, CTape
 from segfmu.cosim.unit import Unit
 from segfmu.errors import SimulationError
@@ -53,16 +54,36 @@ class Tape:
         """Begin anew."""
         self._use, self._key, self._complete = UNUSED, None, False
 
-    def begin(self, key: Any) -> None:
-        """Begin a run that is the same for these units as others of the same key; None: it is not.
+    def begin(
+        self, units: Mapping[str, Unit], values: Mapping[str, Mapping[str, Any]],
+        changes: Sequence[Due], span: Any,
+    ) -> None:
+        """Begin a run, which these units make with values, and changes of them, over a span.
 
-        The first one is only remembered, as many runs have no second one.
+        One in which those that can be left out hear the same as before needs them no more. The
+        first one is only remembered, as many runs have no second one.
         """
+        key = self._heard(units, values, changes, span)
         if not self._names or key is None or key != self._key:
             self.forget()
             self._key = key
         else:
             self._use = REPEATS if self._complete else RECORDS
+
+    def _heard(
+        self, units: Mapping[str, Unit], values: Mapping[str, Mapping[str, Any]],
+        changes: Sequence[Due], span: Any,
+    ) -> Any:
+        """All that the units on the tape hear in a run; None if they hear of changes."""
+        every = list(units.values())
+        if any(self.has(every[change.unit]) for change in changes):
+            return None
+        # lists can be compared, arrays cannot
+        own = {
+            n: {k: np.asarray(v).tolist() for k, v in values.get(n, {}).items()}
+            for n, u in units.items() if self.has(u)
+        }
+        return own, [change.time for change in changes], span
 
     def silent(self, unit: Unit) -> bool:
         """Whether a unit is left out in this run."""

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
 from copy import deepcopy
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, finite_number, shown
-from segfmu.crane.bounds import DRIVES, ActuatorBounds
+from segfmu.crane.bounds import ActuatorBounds
 from segfmu.crane.contacts import NONE
 from segfmu.crane.equipment import Friction
 from segfmu.crane.flat_models import require_gantry
 from segfmu.crane.inverse import ACCELERATION, FORCE, ORDERS, STATE
 from segfmu.crane.operation import OperatedMotion
 from segfmu.crane.operation_command import HOLD, MODES, changed_command, first_command
+from segfmu.crane.operation_emergency import (
+    EmergencyStop,
+    foreseen,
+    require_brakes,
+    reset,
+    trip,
+    tripped,
+)
 from segfmu.crane.operation_start import (
     decelerations,
     known_of,
@@ -30,8 +36,8 @@ from segfmu.crane.operation_start import (
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import DriveBounds, State
 from segfmu.kernels.crane.records import FlatInverse as Results
+from segfmu.kernels.crane.records import State
 from segfmu.kernels.operation.records import (
     Command,
     DriveBrakes,
@@ -40,7 +46,6 @@ from segfmu.kernels.operation.records import (
     OperationMode,
     OperationStatus,
     Progress,
-    Swing,
     Tries,
 )
 from segfmu.kernels.planner.records import PlanOptions
@@ -55,22 +60,6 @@ from segfmu.planning.waypoint import Waypoint
 STATUSES = tuple(name.lower() for name in OperationStatus.items())
 UNBOUNDED = ActuatorBounds()
 FREE = Clearance()
-
-
-@dataclass(frozen=True)
-class EmergencyStop:
-    """What an emergency stop comes to.
-
-    Attributes
-    ----------
-    duration : float
-        Time until bridge, trolley and hoist rest [s].
-    sway : float
-        Largest angle between rope and vertical from then on [rad], without damping.
-    """
-
-    duration: float
-    sway: float
 
 
 class Operator:
@@ -200,7 +189,7 @@ class Operator:
 
     def _take_over(self, name: str, state: ArrayLike) -> None:
         measured = require_hanging(name, state)
-        self._require_brakes("a swing that is taken over")
+        require_brakes(self._motion, "a swing that is taken over")
         self._motion.command[Command.MEASURED : Command.SIZE] = measured
         status = STATUSES[self._motion.take_over(self._time)]
         if status != "taken":
@@ -257,7 +246,7 @@ class Operator:
             scale=scale,
         )
         if command[Command.MODE] == OperationMode.EMERGENCY:
-            self._require_brakes("an emergency stop")
+            require_brakes(self._motion, "an emergency stop")
         self._motion.command[:] = command
 
     def step(self, duration: float) -> FloatArray:
@@ -299,32 +288,16 @@ class Operator:
         InputError
             For another name, and if the acceleration of a drive has no bound.
         """
-        for drive in drives:
-            if not isinstance(drive, str) or drive not in DRIVES:
-                raise InputError(f"a drive is one of {', '.join(DRIVES)}, got {shown(drive)}")
-        self._require_brakes("a drive that trips", {*drives, *self.tripped})
-        for drive in drives:
-            self._motion.command[Command.TRIPPED + DRIVES.index(drive)] = 1.0
+        trip(self._motion, drives)
 
     def reset(self) -> None:
         """All drives work again."""
-        self._motion.command[Command.TRIPPED : Command.TRIPPED + len(DRIVES)] = 0.0
+        reset(self._motion)
 
     @property
     def tripped(self) -> tuple[str, ...]:
         """The drives that have tripped."""
-        rows = self._motion.command[Command.TRIPPED :]
-        return tuple(drive for drive, row in zip(DRIVES, rows, strict=False) if row)
-
-    def _require_brakes(self, what: str, tripped: Collection[str] = ()) -> None:
-        bounds = self._motion.known[Known.BOUNDS, DriveBounds.ACCELERATION_MAX :]
-        brakes = self._motion.known[Known.BRAKES]
-        for drive, bound, brake in zip(DRIVES, bounds, brakes, strict=False):
-            if not bound > 0.0 and not (drive in tripped and brake > 0.0):
-                raise InputError(
-                    f"{what} needs the greatest acceleration of each drive; that of the "
-                    f"{drive} has no bound: give bounds=ActuatorBounds(acceleration=...)"
-                )
+        return tripped(self._motion)
 
     @property
     def emergency(self) -> EmergencyStop:
@@ -337,14 +310,7 @@ class Operator:
         InfeasibleError
             If no emergency stop keeps forces and powers of the drives.
         """
-        self._require_brakes("an emergency stop", self.tripped)
-        found = self._motion.foresee(self._time)
-        if found is None:
-            raise InfeasibleError(
-                "no emergency stop keeps the bounds of forces and powers of the drives with a rope "
-                "that pulls; use the mode stop"
-            )
-        return EmergencyStop(float(found[Swing.STAND]), float(found[Swing.SWAY]))
+        return foreseen(self._motion, self._time)
 
     @property
     def time(self) -> float:

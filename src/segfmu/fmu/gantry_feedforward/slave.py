@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from math import inf
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
 from segfmu.crane import Crane, FlatInverse, Friction
@@ -29,6 +27,7 @@ from segfmu.crane.variables import build
 from segfmu.errors import InfeasibleError, InputError, SegfmuError
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.gantry_feedforward.commands import Commands
+from segfmu.fmu.gantry_feedforward.given import AXES, Given
 from segfmu.fmu.python.slave import SpecSlave
 from segfmu.kernels import backend
 from segfmu.kernels.clearance.records import (
@@ -56,15 +55,10 @@ from segfmu.kernels.crane.records import (
 )
 from segfmu.kernels.limits.records import LimitRow, Pace, PlanLimits
 from segfmu.kernels.messages import BOUND, SETUP, SPACE
-from segfmu.kernels.planner.records import LoadLimits, LowerLimits, PlanOptions, WaypointState
 from segfmu.kernels.records import Record
 from segfmu.kernels.rig.records import SetupFault, SetupStatus
-from segfmu.planning import Limits, Trajectory, Waypoint, plan
-from segfmu.planning.request import with_states
+from segfmu.planning import Limits, Trajectory, plan
 
-AXES = ("x", "y", "z")
-# what of the waypoints is found
-FREE = ("waypoint.velocity_free", "waypoint.acceleration_free")
 # that of the sway is no matter of the drives
 KNOWN = {name: fed for name, fed in FRICTION.items() if name != "sway"}
 
@@ -100,6 +94,7 @@ class FeedforwardSlave(SpecSlave):
 
     def __init__(self, **kwargs: Any) -> None:
         super().__init__(**kwargs)
+        self._given = Given(self.value)
         self._inverse: FlatInverse | None = None
         self._trajectory: Trajectory | None = None
         self._commands: Commands | None = None
@@ -164,19 +159,6 @@ class FeedforwardSlave(SpecSlave):
         self._evaluate(self.start_time)
         self._planned = True
 
-    @property
-    def _has_limits(self) -> bool:
-        """Whether limits are given with which a motion can be planned."""
-        return bool(self._table()[:, : LimitRow.JERK].all())
-
-    def _free(self) -> NDArray[np.bool_]:
-        """Which velocities and accelerations are free, shape (waypoints, 3, 2)."""
-        rows = range(1, int(self.value("waypoint.count")) + 1)
-        names = ("velocity_free", "acceleration_free")
-        return np.array([
-            [[self.value(f"waypoint[{i}].{n}.{a}") for n in names] for a in AXES] for i in rows
-        ], dtype=np.bool_)
-
     def _as_given(self, crane: AnyCrane, friction: Friction) -> Trajectory:
         """The plan with the given limits, slower if it may be."""
         slows = self.value("planner.slows_down") and not self.value("planner.finds_limits")
@@ -196,15 +178,15 @@ class FeedforwardSlave(SpecSlave):
     def _as_found(self, crane: AnyCrane, friction: Friction) -> Trajectory:
         """The plan with limits that are found where those given do not keep the bounds."""
         refusal: SegfmuError | None = None
-        if self._has_limits:
+        if self._given.has_limits:
             try:
                 return self._as_given(crane, friction)
             except SegfmuError as error:
                 refusal = error
-        options = self._options()
-        points = self._waypoints(1.0)
+        options = self._given.options()
+        points = self._given.waypoints(1.0)
         timing = {name: options.pop(name) for name in ("sample_time", "duration")}
-        caps = np.hstack([self._table(), self._least()])
+        caps = np.hstack([self._given.table(), self._given.least()])
         task = Task(
             crane, points, self.filled(DriveBounds), caps, {}, options, _Path(self), friction,
             self._lags,
@@ -235,21 +217,7 @@ class FeedforwardSlave(SpecSlave):
 
     def _planned_at(self, pace: float) -> Trajectory:
         """The plan at a pace."""
-        return plan(self._waypoints(pace), self._limits(pace), **self._options())
-
-    def _options(self) -> dict[str, Any]:
-        """Arguments of `plan`."""
-        options = self.filled(PlanOptions)
-        return {
-            "smoothness": int(options[PlanOptions.SMOOTHNESS]),
-            "shape": gantry_feedforward.SHAPES.items[int(options[PlanOptions.SHAPE])],
-            "synchronize": gantry_feedforward.SYNCHRONIZATIONS.items[
-                int(options[PlanOptions.SYNCHRONIZATION])
-            ],
-            "sample_time": float(options[PlanOptions.SAMPLE_TIME]) or None,
-            "duration": float(options[PlanOptions.DURATION]) or None,
-            "axis_names": AXES,
-        }
+        return plan(self._given.waypoints(pace), self._given.limits(pace), **self._given.options())
 
     def _uses(
         self, crane: AnyCrane, trajectory: Trajectory, friction: Friction
@@ -290,39 +258,9 @@ class FeedforwardSlave(SpecSlave):
         if status != SpaceStatus.CLEAR:
             raise InfeasibleError(SPACE.text(status, fault))
 
-    def _table(self) -> FloatArray:
-        """Given limits of velocity to snap, shape (3, 4); 0: none."""
-        return self.filled(LoadLimits).reshape(len(AXES), -1)
-
-    def _least(self) -> FloatArray:
-        """Magnitudes of given velocities and accelerations backwards, shape (3, 2)."""
-        least = self.filled(LowerLimits).reshape(len(AXES), -1)
-        return np.where(least < 0.0, -least, self._table()[:, : LimitRow.JERK])
-
-    def _limits(self, pace: float) -> Limits:
-        given = self._table().T
-        powers = pace ** np.arange(1.0, len(given) + 1.0)
-        velocity, acceleration, *others = powers[:, None] * given
-        velocity_min, acceleration_min = -powers[:2, None] * self._least().T
-        return Limits(
-            velocity, acceleration, *(np.where(c > 0.0, c, inf) for c in others),
-            velocity_min=velocity_min, acceleration_min=acceleration_min,
-        )
-
     def _show_limits(self, limits: Limits) -> None:
         table = limits.table(len(AXES), LimitRow.VELOCITY_MIN)[:, : LimitRow.VELOCITY_MIN]
         self.show(PlanLimits, np.hstack([table, -limits.lower(len(AXES))]).ravel())
-
-    def _waypoints(self, pace: float) -> tuple[Waypoint, ...]:
-        count = int(self.value("waypoint.count"))
-        position, velocity, acceleration, dwell = (
-            np.array([float(self.value(n)) for n in array.members[: count * array.columns]])
-            .reshape(count, -1)
-            for array in gantry_feedforward.arrays(count) if array.name not in FREE
-        )
-        states = np.stack([position, pace * velocity, pace**2 * acceleration], axis=2)
-        states[:, :, WaypointState.VELOCITY :][self._free()] = np.nan
-        return with_states(tuple(map(Waypoint, position)), states, dwell[:, 0])
 
     @property
     def _begin(self) -> float:
