@@ -68,6 +68,17 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
     return array
 
 
+def sized(name: str, value: ArrayLike, size: int, *, alike: bool = False) -> FloatArray:
+    """Return `value` as a read-only vector of `size` finite numbers; `alike`: or one for all."""
+    vector = finite_vector(name, value)
+    if alike and vector.size == 1:
+        vector = np.repeat(vector, size)
+        vector.setflags(write=False)
+    if vector.size != size:
+        raise InputError(f"{name} must have {size} values, got {vector.size}")
+    return vector
+
+
 def range_bounds(name: str, value: Range, absent: float) -> FloatArray:
     """Return bounds of a range, 0-d or (axes,), read-only; None becomes `absent`, -inf or inf."""
     array = numbers(name, _replaced(value, absent))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -24,13 +23,6 @@ ROOT = Path(__file__).parents[2]
 CAMPAIGNS = ROOT / "models" / "campaigns"
 VELOCITY = {"crane": {"drive": "velocity"}}
 LEVEL = CAMPAIGNS / "_methods_lab_level.toml"
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 def test_baselines_stop_at_every_waypoint_within_limits_and_bounds() -> None:

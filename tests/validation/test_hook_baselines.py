@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from math import inf
 from pathlib import Path
 
@@ -26,13 +25,6 @@ from tests.validation.campaigns.files import run
 ROOT = Path(__file__).parents[2]
 CAMPAIGNS = ROOT / "models" / "campaigns"
 PORT = HookCrane(Crane(8e4, 1.2e4, 1e4), 500.0, 4.0)
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 def test_swings_of_a_driven_carriage_are_those_of_the_model() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -22,13 +21,6 @@ FOLDER = Path(__file__).parents[2] / "models" / "commands"
 CRANES = ("lab", "factory", "port")
 KINDS = {"inching", "microspeed", "released", "retarget", "wind", "payload", "emergency"}
 LOAD = [f"reference.load.position.{a}" for a in "xyz"]
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 def operated(mission: segfmu.Mission, path: Path, times: np.ndarray, push: float) -> np.ndarray:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -29,13 +28,6 @@ feedback = false
 settle = 1.0
 """
 CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005\n'
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 def done(runner: Runner, folder: Path, text: str) -> Result:

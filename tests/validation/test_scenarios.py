@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -23,13 +22,6 @@ MODELS = Path(__file__).parents[2] / "models"
 SUITE = MODELS / "scenarios"
 HEAD = 'name = "s"\nmission = "inteco.toml"\nstep = 0.005\n'
 CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005\n'
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 @pytest.fixture

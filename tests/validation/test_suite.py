@@ -6,7 +6,6 @@ import json
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -95,13 +94,6 @@ def test_every_margin_of_the_suite_is_that_of_its_table(
 def test_what_is_expected_to_fail_does(results: tuple[Path, list[dict[str, Any]]]) -> None:
     failed = {Path(e["file"]).stem for e in results[1] if not e["passed"]}
     assert failed == {"drive_failure"}
-
-
-@pytest.fixture(scope="module")
-def runner() -> Iterator[Runner]:
-    require_native()
-    with Runner() as runner:
-        yield runner
 
 
 def test_runs_without_rows_have_the_same_findings(runner: Runner, tmp_path: Path) -> None:

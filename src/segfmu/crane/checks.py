@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_vector, shown
+from segfmu.arrays import FloatArray, shown, sized
 from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Axes
 
@@ -68,14 +68,6 @@ def require_seed(name: str, value: object) -> None:
         raise InputError(f"{name} must be an integer from 0 to {LARGEST_SEED}, got {shown(value)}")
 
 
-def sized(name: str, value: ArrayLike, size: int) -> FloatArray:
-    """Return `value` as a read-only vector of `size` finite numbers."""
-    vector = finite_vector(name, value)
-    if vector.size != size:
-        raise InputError(f"{name} must have {size} values, got {vector.size}")
-    return vector
-
-
 def lags_of(name: str, lag: ArrayLike) -> FloatArray:
     """Lags of the three drives [s] from one or three values.
 
@@ -84,8 +76,7 @@ def lags_of(name: str, lag: ArrayLike) -> FloatArray:
     InputError
         For other numbers of values and for negative ones.
     """
-    given = finite_vector(name, lag)
-    found = sized(name, np.repeat(given, Axes.SIZE) if given.size == 1 else given, Axes.SIZE)
+    found = sized(name, lag, Axes.SIZE, alike=True)
     for entry in found.tolist():
         require_not_negative(name, entry)
     return found

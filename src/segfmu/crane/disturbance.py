@@ -8,14 +8,13 @@ from typing import Literal
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, shown
+from segfmu.arrays import FloatArray, shown, sized
 from segfmu.crane.checks import (
     require_finite,
     require_kind,
     require_not_negative,
     require_positive,
     require_seed,
-    sized,
 )
 from segfmu.crane.variables import Value, build, fed, kept, require_values, values
 from segfmu.errors import InputError

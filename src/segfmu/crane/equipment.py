@@ -7,8 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from segfmu.arrays import shown
-from segfmu.crane.checks import require_negative, require_not_negative, require_positive, sized
+from segfmu.arrays import shown, sized
+from segfmu.crane.checks import require_negative, require_not_negative, require_positive
 from segfmu.crane.variables import Fed, fed
 from segfmu.errors import InputError
 from segfmu.kernels import backend

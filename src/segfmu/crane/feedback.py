@@ -15,14 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.linalg import solve_discrete_are
 
-from segfmu.arrays import FloatArray, finite_vector
-from segfmu.crane.checks import (
-    lags_of,
-    require_not_negative,
-    require_positive,
-    require_weights,
-    sized,
-)
+from segfmu.arrays import FloatArray, finite_vector, sized
+from segfmu.crane.checks import lags_of, require_not_negative, require_positive, require_weights
 from segfmu.crane.linear import (
     ROWS,
     lagged,

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_times
-from segfmu.crane.checks import require_not_negative, sized
+from segfmu.arrays import FloatArray, finite_times, sized
+from segfmu.crane.checks import require_not_negative
 from segfmu.crane.inverse import FlatInverse
 
 AXES = ("bridge", "trolley", "hoist")

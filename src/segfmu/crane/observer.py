@@ -17,8 +17,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.arrays import FloatArray, sized
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.crane.variables import fed, filled, values

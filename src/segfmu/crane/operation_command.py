@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, as_index, finite_number, finite_vector, shown
+from segfmu.arrays import FloatArray, as_index, finite_number, shown, sized
 from segfmu.errors import InputError
 from segfmu.kernels.operation.records import Command, OperationMode, Tries
 
@@ -16,14 +16,6 @@ HOLD = 0.1
 FARTHEST = 1e6
 # what a mode does not do without
 NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}
-
-
-def triple(name: str, value: ArrayLike, *, alike: bool = False) -> FloatArray:
-    """Three values; `alike`: or one for all."""
-    vector = finite_vector(name, value)
-    if vector.size != 3 and not (alike and vector.size == 1):
-        raise InputError(f"{name} must have 3 values, got {vector.size}")
-    return np.broadcast_to(vector, (3,))
 
 
 def first_command(hold: float, tries: int) -> FloatArray:
@@ -62,7 +54,7 @@ def changed_command(
         ("distance", distance, Command.DISTANCE),
     ):
         if value is not None:
-            values = triple(name, value, alike=name == "distance")
+            values = sized(name, value, 3, alike=name == "distance")
             if name != "velocity" and np.abs(values).max() > FARTHEST:
                 raise InputError(f"{name} must be at most {FARTHEST:g} m, got {shown(value)}")
             changed[place : place + 3] = values

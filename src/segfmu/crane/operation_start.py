@@ -7,14 +7,13 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray, finite_vector, shown
+from segfmu.arrays import FloatArray, shown, sized
 from segfmu.crane.bounds import ActuatorBounds, require_bounds
 from segfmu.crane.bounds import uses as bound_uses
 from segfmu.crane.contacts import resistance
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import Friction
 from segfmu.crane.limit_search import KEPT
-from segfmu.crane.operation_command import triple
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import filled
@@ -35,9 +34,7 @@ FAR = 1e9
 
 def require_hanging(name: str, value: ArrayLike) -> FloatArray:
     """The state (10,) of a load below its crane."""
-    state = finite_vector(name, value)
-    if state.size != State.SIZE:
-        raise InputError(f"{name} must have {State.SIZE} values, got {state.size}")
+    state = sized(name, value, State.SIZE)
     angle = np.abs(state[State.ANGLE : State.VELOCITY]).max()
     if state[Axes.ROPE] < least_depth() or angle >= 1.5:
         raise InputError(
@@ -51,13 +48,13 @@ def require_hanging(name: str, value: ArrayLike) -> FloatArray:
 def resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
     """A plan that rests in a place."""
     coefficients = np.zeros((3, 2 * smoothness))
-    coefficients[:, 0] = triple("start", start)
+    coefficients[:, 0] = sized("start", start, 3)
     return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
 
 
 def decelerations(value: ArrayLike) -> FloatArray:
     """Those of the drives' brakes [m/s2], shape (3,)."""
-    given = triple("brakes", value, alike=True)
+    given = sized("brakes", value, 3, alike=True)
     if not (given >= 0.0).all():
         raise InputError(
             f"brakes must be decelerations > 0 m/s2, or 0 for that of the drive, got {shown(value)}"

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_vector, shown
-from segfmu.crane.checks import require_positive, require_quantity, sized
+from segfmu.arrays import FloatArray, finite_vector, shown, sized
+from segfmu.crane.checks import require_positive, require_quantity
 from segfmu.crane.variables import Value, build, fed, require_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend

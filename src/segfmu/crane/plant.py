@@ -13,8 +13,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_kind, require_not_negative, require_positive, sized
+from segfmu.arrays import FloatArray, sized
+from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure

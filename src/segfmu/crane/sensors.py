@@ -7,8 +7,8 @@ from math import pi
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_not_negative, require_positive, require_seed, sized
+from segfmu.arrays import FloatArray, sized
+from segfmu.crane.checks import require_not_negative, require_positive, require_seed
 from segfmu.crane.variables import fed, filled, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend

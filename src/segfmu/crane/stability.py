@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.arrays import FloatArray, sized
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.linear import lagged, matrices, sampled
 from segfmu.crane.tracking import ESTIMATE, TrackingController
 from segfmu.kernels import backend

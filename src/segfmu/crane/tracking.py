@@ -11,8 +11,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, shown
-from segfmu.crane.checks import require_not_negative, require_positive, sized
+from segfmu.arrays import FloatArray, shown, sized
+from segfmu.crane.checks import require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import SIGNS
 from segfmu.crane.observer import Observer

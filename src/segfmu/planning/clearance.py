@@ -24,6 +24,7 @@ from segfmu.arrays import (
     finite_vector,
     range_bounds,
     shown,
+    sized,
 )
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
@@ -72,7 +73,7 @@ class Obstacle(Frozen):
         if not isinstance(name, str):
             raise InputError(f"the name of an obstacle must be a text, got {shown(name)}")
         low, high = (
-            _triple(f"obstacle {name}: {n}", v)
+            sized(f"obstacle {name}: {n}", v, 3)
             for n, v in (("minimum", minimum), ("maximum", maximum))
         )
         for axis, (a, b) in enumerate(zip(low, high, strict=True)):
@@ -137,12 +138,12 @@ class Clearance(Frozen):
                 f"workspace: minimum {'xyz'[axis]} {low[axis]} m is not below maximum "
                 f"{high[axis]} m"
             )
-        size = _triple("load_size", load_size)
+        size = sized("load_size", load_size, 3)
         if (size < 0.0).any():
             raise InputError(f"load_size must be >= 0 m, got {size.tolist()}")
         for key, value in (
             ("obstacles", boxes), ("minimum", low), ("maximum", high), ("load_size", size),
-            ("load_centre", _triple("load_centre", load_centre)),
+            ("load_centre", sized("load_centre", load_centre, 3)),
         ):
             object.__setattr__(self, key, value)
 
@@ -291,13 +292,6 @@ def _gravity(value: float) -> float:
 def _require_obstacle(box: object) -> None:
     if not isinstance(box, Obstacle):
         raise InputError(f"an obstacle must be an Obstacle, got {type(box).__name__}")
-
-
-def _triple(name: str, value: ArrayLike) -> FloatArray:
-    vector = finite_vector(name, value)
-    if vector.size != 3:
-        raise InputError(f"{name} must have 3 values, got {vector.size}")
-    return vector
 
 
 def _edges(name: str, value: Range, absent: float) -> FloatArray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -168,6 +169,19 @@ def longest_pieces(fmu: Importer, count: int) -> np.ndarray:
     return 0.5 * (times[chosen] + times[chosen + 1])
 
 
+def continuous_outputs(
+    fmu: Importer,
+) -> tuple[list[str], list[int], Callable[[list[int], list[int]], list[float]]]:
+    """Names of the continuous outputs, their references, and what reads their derivatives."""
+    names = [
+        n for n, v in fmu.variables.items()
+        if v.causality == "output" and v.variability == "continuous"
+    ]
+    library = fmu.fmu
+    read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+    return names, [fmu.variables[n].valueReference for n in names], read
+
+
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("order", [1, 2, 3])
 @pytest.mark.parametrize("values", [{}, DRIVEN], ids=["ideal", "drives"])
@@ -179,13 +193,7 @@ def test_feedforward_over_time(native_fmus, fmi: int, order: int, values) -> Non
     with Importer(native_fmus[fmi][0]) as fmu:
         fmu.set(values)
         fmu.initialise()
-        names = [
-            n for n, v in fmu.variables.items()
-            if v.causality == "output" and v.variability == "continuous"
-        ]
-        references = [fmu.variables[n].valueReference for n in names]
-        library = fmu.fmu
-        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        names, references, read = continuous_outputs(fmu)
 
         def outputs(which: int) -> np.ndarray:
             return np.array(
@@ -234,13 +242,7 @@ def test_crane_outputs_over_time(native_fmus, fmi: int, case: str) -> None:
                                "bridge.velocity": 0.1})
         fmu.write(INPUTS, start)
         fmu.initialise()
-        names = [
-            n for n, v in fmu.variables.items()
-            if v.causality == "output" and v.variability == "continuous"
-        ]
-        references = [fmu.variables[n].valueReference for n in names]
-        library = fmu.fmu
-        read = library.getOutputDerivatives if fmu.three else library.getRealOutputDerivatives
+        names, references, read = continuous_outputs(fmu)
         h, rows = 1e-4, []
         for i in range(1, 304):
             fmu.write(INPUTS, start + rates * i * h)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import zipfile
 from collections.abc import Iterator
 from contextlib import ExitStack
 from dataclasses import replace
@@ -13,8 +12,6 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from fmpy import read_model_description
-from lxml import etree
 
 from segfmu.cosim import simulate
 from segfmu.fmu.gantry_crane import interface as gantry_crane
@@ -24,13 +21,10 @@ from segfmu.fmu.standard.spec import started
 from segfmu.fmu.standard.system import LEAD
 from segfmu.fmu.system import write_system
 from tests.fmu.native.importer import Importer
+from tests.fmu.standard.packages import DOCUMENTS, entries_of, findings, variables_of
 from tests.fmu.standard.test_system import SSC, SSD, SSV
 
 SCHEMAS = Path(__file__).parents[2] / "data" / "ssp2"
-SETS = [f"resources/{n}.ssv" for n in (*GANTRY.names, "choices")]
-DOCUMENTS = {"SystemStructure.ssd": "SystemStructureDescription.xsd"} | dict.fromkeys(
-    SETS, "SystemStructureParameterValues.xsd"
-)
 STEP, STOP = 0.002, 1.2
 # values that the archives do not have, of every type and of an array
 CHANGED: tuple[dict[str, Any], dict[str, Any]] = (
@@ -60,32 +54,22 @@ def folder(native_fmus, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def entries(folder) -> dict[str, bytes]:
-    with zipfile.ZipFile(folder / "mission.ssp") as package:
-        return {n: package.read(n) for n in package.namelist()}
+    return entries_of(folder / "mission.ssp")
 
 
 @pytest.fixture(scope="module")
 def described(native_fmus) -> dict[str, dict]:
-    """Variables of both FMUs as another reader has them."""
-    return {
-        name: {v.name: v for v in read_model_description(str(path)).modelVariables}
-        for name, path in zip(GANTRY.names, native_fmus[3], strict=True)
-    }
-
-
-def findings(document: str, text: bytes) -> list[str]:
-    schema = etree.XMLSchema(file=str(SCHEMAS / DOCUMENTS[document]))
-    schema.validate(etree.fromstring(text))
-    return [f"{e.line}: {e.message}" for e in schema.error_log]
+    return variables_of(native_fmus[3])
 
 
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_schema_has_no_finding(entries, document: str) -> None:
     text = entries[document]
-    assert findings(document, text) == [] and b'version="2.0"' in text
+    assert findings(SCHEMAS, document, text) == [] and b'version="2.0"' in text
     # a schema that never finds anything would prove nothing
-    assert findings(document, text.replace(b'version="2.0" name', b'version="3.0" name')) != []
-    assert findings(document, text.replace(b" description=", b" remark=")) != []
+    other = text.replace(b'version="2.0" name', b'version="3.0" name')
+    assert findings(SCHEMAS, document, other) != []
+    assert findings(SCHEMAS, document, text.replace(b" description=", b" remark=")) != []
 
 
 def test_package_has_both_archives_and_nothing_unnamed(entries, native_fmus) -> None:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import fmpy
 import pytest
-from fmpy import read_model_description
-from lxml import etree
 
 from segfmu.fmu.pairs import GANTRY
 from segfmu.fmu.standard import osp, ssp
@@ -18,14 +15,11 @@ from segfmu.fmu.standard.spec import Spec, parameter
 from segfmu.fmu.standard.system import LEAD, System, values
 from segfmu.fmu.system import write_system
 from tests.cosim.pair import SIGNALS, SPECS
+from tests.fmu.standard.packages import DOCUMENTS, SETS, entries_of, findings, variables_of
 
 SCHEMAS = Path(fmpy.__file__).parent / "ssp" / "schema"
 SSP = "{http://ssp-standard.org/SSP1/SystemStructure%s}"
 SSC, SSD, SSV = (SSP % n for n in ("Common", "Description", "ParameterValues"))
-SETS = [f"resources/{n}.ssv" for n in (*GANTRY.names, "choices")]
-DOCUMENTS = {"SystemStructure.ssd": "SystemStructureDescription.xsd"} | dict.fromkeys(
-    SETS, "SystemStructureParameterValues.xsd"
-)
 OSP = f"{{{osp.NAMESPACE}}}"
 
 
@@ -38,31 +32,21 @@ def written(native_fmus, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path
 
 @pytest.fixture(scope="module")
 def entries(written) -> dict[str, bytes]:
-    with zipfile.ZipFile(written[0]) as package:
-        return {n: package.read(n) for n in package.namelist()}
+    return entries_of(written[0])
 
 
 @pytest.fixture(scope="module")
 def described(native_fmus) -> dict[str, dict]:
-    """Variables of both FMUs as another reader has them."""
-    return {
-        name: {v.name: v for v in read_model_description(str(path)).modelVariables}
-        for name, path in zip(GANTRY.names, native_fmus[2], strict=True)
-    }
-
-
-def findings(document: str, text: bytes) -> list[str]:
-    schema = etree.XMLSchema(file=str(SCHEMAS / DOCUMENTS[document]))
-    schema.validate(etree.fromstring(text))
-    return [f"{e.line}: {e.message}" for e in schema.error_log]
+    return variables_of(native_fmus[2])
 
 
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_schema_has_no_finding(entries, document: str) -> None:
     text = entries[document]
-    assert findings(document, text) == []
+    assert findings(SCHEMAS, document, text) == []
     # a schema that never finds anything would prove nothing
-    assert findings(document, text.replace(b'version="1.0" name', b'version="2.0" name')) != []
+    other = text.replace(b'version="1.0" name', b'version="2.0" name')
+    assert findings(SCHEMAS, document, other) != []
 
 
 def test_package_has_both_archives_and_nothing_unnamed(entries, native_fmus) -> None:

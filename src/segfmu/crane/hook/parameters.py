@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
-from segfmu.crane.checks import require_positive, require_quantity, sized
+from segfmu.arrays import FloatArray, sized
+from segfmu.crane.checks import require_positive, require_quantity
 from segfmu.crane.parameters import CRANE, Crane
 from segfmu.crane.variables import Value, build, fed, values
 from segfmu.errors import InputError

@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import entries
 from segfmu.fmu.standard.spec import Spec, Variable
-from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS, nominal
+from segfmu.fmu.standard.units import DISPLAY_UNITS, nominal, unit_definitions
 
 # of the importer's solver in model exchange; with the 1e-5 of some, the load is off by 0.1 mm
 TOLERANCE = "1e-8"
@@ -47,7 +47,7 @@ def model_description(
         },
     )
     _interfaces(root, spec, sources)
-    _units(root, spec)
+    unit_definitions(root, spec)
     _types(root, spec)
     categories = ET.SubElement(root, "LogCategories")
     for name, description in CATEGORIES.items():
@@ -85,18 +85,6 @@ def _interfaces(root: ET.Element, spec: Spec, sources: tuple[str, ...] | None) -
         files = ET.SubElement(ET.SubElement(root, name, common | partial | own), "SourceFiles")
         for source in sources:
             ET.SubElement(files, "File", {"name": source})
-
-
-def _units(root: ET.Element, spec: Spec) -> None:
-    used = {v.unit for v in spec.variables if v.unit}
-    definitions = ET.SubElement(root, "UnitDefinitions")
-    for name in BASE_UNITS:
-        if name in used:
-            unit = ET.SubElement(definitions, "Unit", {"name": name})
-            ET.SubElement(unit, "BaseUnit", {k: str(v) for k, v in BASE_UNITS[name].items()})
-            if name in DISPLAY_UNITS:
-                shown, factor = DISPLAY_UNITS[name]
-                ET.SubElement(unit, "DisplayUnit", {"name": shown, "factor": repr(factor)})
 
 
 def _types(root: ET.Element, spec: Spec) -> None:

@@ -17,7 +17,7 @@ from segfmu.fmu.standard.fmi2 import (
 from segfmu.fmu.standard.identity import guid
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Array, Spec, Terminal, Variable
-from segfmu.fmu.standard.units import BASE_UNITS, DISPLAY_UNITS
+from segfmu.fmu.standard.units import unit_definitions
 
 TYPES = {
     "Real": "Float64", "Integer": "Int32", "Boolean": "Boolean", "Enumeration": "Enumeration"
@@ -41,7 +41,7 @@ def model_description(spec: Spec, version: str) -> bytes:
         },
     )
     _interfaces(root, spec)
-    _units(root, spec)
+    unit_definitions(root, spec)
     _types(root, spec)
     categories = ET.SubElement(root, "LogCategories")
     for name, description in CATEGORIES.items():
@@ -114,17 +114,6 @@ def _interfaces(root: ET.Element, spec: Spec) -> None:
     if "CoSimulation" in spec.partials:
         steps |= partials
     ET.SubElement(root, "CoSimulation", common | steps)
-
-
-def _units(root: ET.Element, spec: Spec) -> None:
-    used = {v.unit for v in spec.variables if v.unit}
-    definitions = ET.SubElement(root, "UnitDefinitions")
-    for name in (n for n in BASE_UNITS if n in used):
-        unit = ET.SubElement(definitions, "Unit", {"name": name})
-        ET.SubElement(unit, "BaseUnit", {k: str(v) for k, v in BASE_UNITS[name].items()})
-        if name in DISPLAY_UNITS:
-            shown, factor = DISPLAY_UNITS[name]
-            ET.SubElement(unit, "DisplayUnit", {"name": shown, "factor": repr(factor)})
 
 
 def _types(root: ET.Element, spec: Spec) -> None:

@@ -16,7 +16,7 @@ from segfmu.fmu.standard.fmi3 import TYPES
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Enumeration, Spec, Variable
 from segfmu.fmu.standard.system import System, archive, settings, values
-from segfmu.fmu.standard.units import BASE_UNITS
+from segfmu.fmu.standard.units import exponents, used_units
 
 SSP = "http://ssp-standard.org/SSP1/"
 NAMESPACES = {
@@ -227,8 +227,7 @@ def _enumerations(root: ET.Element, prefix: str, found: Iterable[Enumeration]) -
 
 
 def _units(root: ET.Element, prefix: str, variables: Iterable[Variable]) -> None:
-    used = {v.unit for v in variables if v.unit}
     parent = ET.SubElement(root, f"{prefix}:Units")
-    for name in (n for n in BASE_UNITS if n in used):
+    for name in used_units(variables):
         unit = ET.SubElement(parent, "ssc:Unit", {"name": name})
-        ET.SubElement(unit, "ssc:BaseUnit", {k: str(v) for k, v in BASE_UNITS[name].items()})
+        ET.SubElement(unit, "ssc:BaseUnit", exponents(name))

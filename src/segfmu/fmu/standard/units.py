@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import degrees
+from xml.etree import ElementTree as ET
 
-from segfmu.fmu.standard.spec import Variable
+from segfmu.fmu.standard.spec import Spec, Variable
 
 BASE_UNITS: dict[str, dict[str, int]] = {
     "m": {"m": 1},
@@ -37,6 +39,28 @@ DISPLAY_UNITS: dict[str, tuple[str, float]] = {
 
 # sizes that are usual, where they are not about 1
 NOMINALS = {"rad": 0.1, "rad/s": 0.1, "N": 10.0, "J": 10.0, "W": 10.0}
+
+
+def unit_definitions(root: ET.Element, spec: Spec) -> None:
+    """Describe the units that an interface uses, as both versions of FMI do."""
+    definitions = ET.SubElement(root, "UnitDefinitions")
+    for name in used_units(spec.variables):
+        unit = ET.SubElement(definitions, "Unit", {"name": name})
+        ET.SubElement(unit, "BaseUnit", exponents(name))
+        if name in DISPLAY_UNITS:
+            shown, factor = DISPLAY_UNITS[name]
+            ET.SubElement(unit, "DisplayUnit", {"name": shown, "factor": repr(factor)})
+
+
+def used_units(variables: Iterable[Variable]) -> list[str]:
+    """The units of variables, each once."""
+    used = {v.unit for v in variables}
+    return [name for name in BASE_UNITS if name in used]
+
+
+def exponents(name: str) -> dict[str, str]:
+    """Exponents of a unit's base units, as attributes."""
+    return {base: str(value) for base, value in BASE_UNITS[name].items()}
 
 
 def nominal(variable: Variable) -> float | None:
