@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -45,6 +46,7 @@ EXTERNAL = {
 FILES = sorted(SOURCE.rglob("*.py"))
 
 
+@cache
 def imports(path: Path) -> set[str]:
     """Full names of all modules that a file imports, wherever in the file."""
     found = set()
@@ -58,29 +60,41 @@ def imports(path: Path) -> set[str]:
     return found
 
 
+def loaded(code: str, heavy: set[str]) -> str:
+    """The heavy modules that code has loaded in the end, printed in their order."""
+    code = f"{code}\nimport sys; print(sorted(set(sys.modules) & {heavy!r}))"
+    return subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    ).stdout.strip()
+
+
 def layer(path: Path) -> str:
     """The layer of a file: its folder below segfmu, or its own name."""
     parts = path.relative_to(SOURCE).parts
     return parts[0] if len(parts) > 1 else path.stem
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(SOURCE)))
-def test_imports_point_one_way(path: Path) -> None:
-    own = layer(path)
-    used = {name.split(".")[1] for name in imports(path) if name.startswith("segfmu.")}
-    # `from segfmu import x` would hide the layer
-    assert "segfmu" not in imports(path)
-    assert used - {own} <= ALLOWED[own]
+@pytest.mark.parametrize("own", ALLOWED)
+def test_imports_point_one_way(own: str) -> None:
+    for path in (p for p in FILES if layer(p) == own):
+        used = {name.split(".")[1] for name in imports(path) if name.startswith("segfmu.")}
+        # `from segfmu import x` would hide the layer
+        assert "segfmu" not in imports(path), path
+        assert used - {own} <= ALLOWED[own], path
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda p: str(p.relative_to(SOURCE)))
-def test_heavy_packages_stay_in_their_place(path: Path) -> None:
-    relative = path.relative_to(SOURCE).as_posix()
-    for name in imports(path):
-        places = EXTERNAL.get(name.split(".")[0])
-        assert places is None or any(
-            relative == place or relative.startswith(f"{place}/") for place in places
-        ), f"{relative} imports {name}"
+def test_every_file_is_in_a_layer() -> None:
+    assert {layer(path) for path in FILES} == set(ALLOWED)
+
+
+@pytest.mark.parametrize("package", EXTERNAL)
+def test_heavy_packages_stay_in_their_place(package: str) -> None:
+    users = {
+        path.relative_to(SOURCE).as_posix() for path in FILES
+        if any(name.split(".")[0] == package for name in imports(path))
+    }
+    places = EXTERNAL[package]
+    assert [u for u in users if not any(u == p or u.startswith(f"{p}/") for p in places)] == []
 
 
 def test_the_rules_see_an_import_inside_a_function(tmp_path: Path) -> None:
@@ -89,20 +103,20 @@ def test_the_rules_see_an_import_inside_a_function(tmp_path: Path) -> None:
     assert "sympy" in imports(module)
 
 
-def test_importing_segfmu_loads_nothing_heavy() -> None:
-    names = "[getattr(segfmu, name) for name in segfmu.__all__]"
-    code = f"import segfmu, sys; {names}; print(sorted(set(sys.modules) & set({list(EXTERNAL)!r})))"
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
-    )
-    assert result.stdout.strip() == "[]"
+@pytest.mark.parametrize(
+    ("code", "heavy"),
+    [
+        ("import segfmu; [getattr(segfmu, name) for name in segfmu.__all__]", {*EXTERNAL}),
+        # every command waits for them
+        ("import segfmu.cli", {*EXTERNAL, "scipy"}),
+    ],
+    ids=["segfmu", "cli"],
+)
+def test_importing_loads_nothing_heavy(code: str, heavy: set[str]) -> None:
+    assert loaded(code, heavy) == "[]"
 
 
 def test_what_writes_a_report_of_a_run_loads_no_statistics() -> None:
     """They take half a second; those of campaigns need them, which are in the same package."""
     heavy = {"scipy.stats", "scipy.optimize", "distributed", "pyarrow"}
-    code = f"import segfmu.validation.report, sys; print(sorted(set(sys.modules) & {heavy!r}))"
-    result = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
-    )
-    assert result.stdout.strip() == "[]"
+    assert loaded("import segfmu.validation.report", heavy) == "[]"

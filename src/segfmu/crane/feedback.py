@@ -13,7 +13,6 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.linalg import solve_discrete_are
 
 from segfmu.arrays import FloatArray, finite_vector, sized
 from segfmu.crane.checks import lags_of, require_not_negative, require_positive, require_weights
@@ -118,6 +117,8 @@ def gain(
     where the `strongest` corrections of a carriage (3,) [N] or [m/s2] are a tenth of the
     weight or less: gains so high that a drive is always at its bound damp no sway.
     """
+    from scipy.linalg import solve_discrete_are
+
     lagging = np.flatnonzero(lag) if driven else np.zeros(0, dtype=int)
     kept = [*range(State.SIZE), *(State.SIZE + lagging)]
     a, b = lagged(*linearised(crane, length, driven), np.array(lag), driven)

@@ -7,7 +7,6 @@ the sign of the sway angle is such that the load is at position + l * angle.
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import expm
 
 from segfmu.arrays import FloatArray
 from segfmu.crane.parameters import Crane
@@ -71,6 +70,8 @@ def matrices(masses: Masses, length: float, driven: bool) -> tuple[FloatArray, F
 
 def sampled(a: FloatArray, b: FloatArray, sample_time: float) -> tuple[FloatArray, FloatArray]:
     """Transition and input matrices over a sample with the inputs held."""
+    from scipy.linalg import expm
+
     n, m = b.shape
     block = np.zeros((n + m, n + m))
     block[:n, :n], block[:n, n:] = a * sample_time, b * sample_time
