@@ -91,6 +91,10 @@ def test_states_that_are_free_for_one_axis_alone(tmp_path: Path) -> None:
     ("x\n1_0\n", "line 2, column x: must be a finite number, got '1_0'"),
     ("x;y\n1,5;2\n", "column x: must be a finite number, got '1,5'; decimals have a point"),
     ('x\n"1\n', "path.csv, line 2: "),
+    ("x y z\n0 0 -1\n", "line 1: one column, 'x y z'; columns are separated by commas, semicolons"),
+    ("x|y\n0|0\n", "line 1: one column, 'x|y'; columns are separated by commas, semicolons or"),
+    ("x,y\n1,0,2,5\n", "line 2: 4 values for 2 columns; decimals have a point"),
+    ("x;y\n1,2\n", "line 2: 1 values for 2 columns; values are separated as the names in the fi"),
 ])
 def test_wrong_tables_are_told(tmp_path: Path, text: str, words: str) -> None:
     with pytest.raises(InputError) as info:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from time import perf_counter
 
 import pytest
 
@@ -26,6 +27,10 @@ from segfmu.validation.signal_table import read_table
     ("time,a,a\n0,1,2\n", "two columns have one name, 'a'"),
     ("title\ntime,a\n0,1\n", "no column time; the first line has 'title'"),
     ("time|a\n0|1\n", "no column time; the first line has 'time|a'"),
+    ("time a\n0 1\n", "no column time; the first line has 'time a'; columns are separated by com"),
+    ("0,1\n1,1.5\n", "no column time; the first line has '0, 1'; the first line has to name the c"),
+    ("time,a\n0,0,1,5\n", "2 names but rows of 4 numbers; decimals have a point"),
+    ("time;a\n0,0\nx,1\n", ", line 2: 1 values for 2 columns; values are separated as the names"),
     ("time,a\n0,1\n1,\n",
      ", line 3: a must be a number, got ''; leave out the rows that lack one"),
     ("time," + 200_000 * "a" + "\n0,1\n", "the first line is no names of columns: field larger"),
@@ -41,6 +46,19 @@ def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) ->
     message = str(error.value)
     assert message.startswith(f"{path}{told if told.startswith(',') else f': {told}'}")
     assert "\n" not in message and "usecols" not in message
+
+
+def test_a_table_with_many_columns_is_read_at_once(tmp_path: Path) -> None:
+    """Each of its names was looked for among all others, twice: it took minutes."""
+    path = tmp_path / "wide.csv"
+    names = ["time", *(f"c{i}" for i in range(50_000))]
+    path.write_text("\n".join([",".join(names), ",".join(["0"] * len(names))]), encoding="utf-8")
+    begin = perf_counter()
+    assert len(read_table(path)) == len(names)
+    path.write_text(",".join([*names, "c7"]) + "\n", encoding="utf-8")
+    with pytest.raises(InputError, match="two columns have one name, 'c7'"):
+        read_table(path)
+    assert perf_counter() - begin < 15.0
 
 
 @pytest.mark.parametrize("text", [

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from segfmu.errors import InputError
@@ -17,6 +18,11 @@ LARGEST = 64_000_000
 UNIT = re.compile(r"(?:\s+[\[(]|\[(?!\d))([^\])]*)[\])]$")
 
 
+# between words, what separates columns elsewhere
+APART = re.compile(r"\S[\s|:]+\S")
+NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?")
+
+
 def is_row(line: str) -> bool:
     """Whether a line is neither empty nor begins with #."""
     return bool(line.strip()) and not line.lstrip().startswith("#")
@@ -25,6 +31,41 @@ def is_row(line: str) -> bool:
 def delimiter_of(line: str) -> str:
     """What is between the columns of a first line."""
     return next((d for d in DELIMITERS if d in line), ",")
+
+
+def repeated(names: Iterable[str]) -> str | None:
+    """The first name that is there twice."""
+    return next((name for name, count in Counter(names).items() if count > 1), None)
+
+
+def require_count(where: str, cells: Sequence[str], names: Sequence[str]) -> None:
+    """Refuse a row that has not as many cells as there are columns.
+
+    Raises
+    ------
+    InputError
+        For another number of cells.
+    """
+    count, most = len(cells), len(names)
+    if count != most:
+        hint = count_hint(count, most)
+        raise InputError(f"{where}: {count} values for {most} columns{hint}")
+
+
+def count_hint(count: int, most: int) -> str:
+    """The end of a message on a row of so many values for so many columns; empty without a hint."""
+    if count > most:
+        return "; decimals have a point"
+    return "; values are separated as the names in the first line are" if count == 1 else ""
+
+
+def no_names(cells: Sequence[str]) -> str:
+    """The end of a message on a first line that lacks a name: what it may be instead, or empty."""
+    if len(cells) == 1 and APART.search(cells[0]):
+        return "; columns are separated by commas, semicolons or tabs"
+    if cells and all(map(NUMBER.fullmatch, cells)):
+        return "; the first line has to name the columns"
+    return ""
 
 
 def name_and_unit(cell: str) -> tuple[str, str]:

@@ -10,7 +10,7 @@ from typing import Any
 
 from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
-from segfmu.planning.rows import read_rows, without_units
+from segfmu.planning.rows import no_names, read_rows, require_count, without_units
 from segfmu.planning.waypoint import Waypoint
 
 # before an underscore and the name of an axis
@@ -57,19 +57,18 @@ def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[
     lines = read_rows(file)
     if not lines:
         raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
-    number, names = lines[0]
+    number, cells = lines[0]
     where = f"{file}, line {number}"
-    names = without_units(names, UNITS, where)
+    names = without_units(cells, UNITS, where)
+    if len(cells) == 1 and (hint := no_names(cells)):
+        raise InputError(f"{where}: one column, {shown(cells[0])}{hint}")
     found = _axes(where, names) if axes is None else as_tuple("axes", axes)
     _require_columns(where, names, found)
     points = []
     for number, cells in lines[1:]:
-        if len(cells) != len(names):
-            raise InputError(
-                f"{file}, line {number}: {len(cells)} values for {len(names)} columns"
-            )
-        points.append(_waypoint(f"{file}, line {number}", dict(zip(names, cells, strict=True)),
-                                found))
+        place = f"{file}, line {number}"
+        require_count(place, cells, names)
+        points.append(_waypoint(place, dict(zip(names, cells, strict=True)), found))
     return points
 
 

@@ -17,10 +17,14 @@ from segfmu.arrays import FloatArray, shown
 from segfmu.errors import InputError
 from segfmu.planning.rows import (
     LARGEST,
+    count_hint,
     delimiter_of,
     is_row,
     name_and_unit,
+    no_names,
     read_rows,
+    repeated,
+    require_count,
     without_units,
 )
 from segfmu.validation.units import signal_units
@@ -61,8 +65,9 @@ def read_table(
         data = _cells(path, names, read)
     if data.size == 0:
         raise InputError(f"{path}: there is no row of numbers")
-    if data.shape[1] != len(names):
-        raise InputError(f"{path}: {len(names)} names but rows of {data.shape[1]} numbers")
+    if (count := data.shape[1]) != len(names):
+        hint = count_hint(count, len(names))
+        raise InputError(f"{path}: {len(names)} names but rows of {count} numbers{hint}")
     table: dict[str, FloatArray] = {names[i]: data[:, i] for i in read}
     require_increasing(table[time], str(path))
     return table
@@ -139,8 +144,7 @@ def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
     data = np.full((len(rows), len(names)), np.nan)
     for row, (number, cells) in zip(data, rows, strict=True):
         where = f"{path}, line {number}"
-        if len(cells) != len(names):
-            raise InputError(f"{where}: {len(cells)} values for {len(names)} columns")
+        require_count(where, cells, names)
         for i in read:
             try:
                 row[i] = float(cells[i])
@@ -156,7 +160,9 @@ def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
 def _require_names(path: Path, names: Sequence[str], time: str, used: Collection[str]) -> None:
     if time not in names:
         found = ", ".join(names)
-        raise InputError(f"{path}: no column {time}; the first line has {shown(found)}")
-    double = next((name for name in names if name in used and names.count(name) > 1), None)
+        hint = no_names(names)
+        raise InputError(f"{path}: no column {time}; the first line has {shown(found)}{hint}")
+    wanted = set(used)
+    double = repeated(name for name in names if name in wanted)
     if double is not None:
         raise InputError(f"{path}: two columns have one name, {shown(double)}")

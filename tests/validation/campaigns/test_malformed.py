@@ -233,3 +233,12 @@ def test_packages_that_are_missing_are_one_line(
     )
     line = refused(monkeypatch, capsys, "campaign", str(write(tmp_path)))
     assert "campaigns need dask: pip install 'segfmu[campaign]'" in line
+
+
+def test_a_link_to_itself_is_no_campaign(tmp_path: Path) -> None:
+    """It ended with an error of Python, where the place of the file was looked for first."""
+    path = tmp_path / "c.toml"
+    path.symlink_to(path)
+    with pytest.raises(InputError, match=r"c\.toml: cannot be read: Too many levels of symbolic l"):
+        campaign(path, tmp_path / "out")
+    assert not (tmp_path / "out").exists()

@@ -50,8 +50,9 @@ def read_campaign(path: Path) -> CampaignSource:
     InputError
         One line with the file, the key, the value and what is allowed.
     """
-    place = path.resolve()
     data = read(path)
+    # of a link to itself there is no place
+    place = path.resolve()
     require_kind("campaign", data, path)
     file = checked(CampaignFile, data, str(path))
     file = file.model_copy(update={"factors": [_placed(place, f) for f in file.factors]})

@@ -14,7 +14,13 @@ from pathlib import Path
 from segfmu.arrays import shown
 from segfmu.cosim import Change
 from segfmu.errors import InputError, meant
-from segfmu.planning.rows import read_rows, without_units
+from segfmu.planning.rows import (
+    no_names,
+    read_rows,
+    repeated,
+    require_count,
+    without_units,
+)
 from segfmu.validation.units import signal_units
 
 TIME = "time"
@@ -101,8 +107,7 @@ def load_recording(path: Path) -> Recording:
     columns: dict[str, list[Cell]] = {name: [] for name in names}
     for number, row in rows:
         where = f"{path}, line {number}"
-        if len(row) != len(names):
-            raise InputError(f"{where}: {len(row)} values for {len(names)} columns")
+        require_count(where, row, names)
         for name, text in zip(names, row, strict=True):
             columns[name].append(_cell(f"{where}: {name}", text))
     lines = tuple(number for number, _ in rows)
@@ -111,11 +116,12 @@ def load_recording(path: Path) -> Recording:
 
 
 def _require_header(path: Path, names: Sequence[str]) -> None:
-    double = next((n for n in names if names.count(n) > 1), None)
+    if TIME not in names:
+        hint = no_names(names) or "; the first row names the columns"
+        raise InputError(f"{path}: has no column {TIME}{hint}")
+    double = repeated(names)
     if double is not None:
         raise InputError(f"{path}: two columns are called {double!r}")
-    if TIME not in names:
-        raise InputError(f"{path}: has no column {TIME}; the first row names the columns")
     if len(names) == 1:
         raise InputError(f"{path}: has no column beside {TIME}; each is a variable of an FMU")
 

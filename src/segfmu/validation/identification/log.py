@@ -14,7 +14,7 @@ import numpy as np
 from segfmu.arrays import FloatArray, numbers, shown
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import SIGNALS
-from segfmu.planning.rows import UNIT
+from segfmu.planning.rows import UNIT, no_names
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.signal_table import (
     bare_names,
@@ -193,11 +193,10 @@ def _require_spelt(
 
 
 def _require_time(name: str, time: str, found: Iterable[str]) -> None:
-    if time not in found:
-        raise InputError(
-            f"{name}: no column {time} among {shown(', '.join(found))}; name the one that has the "
-            "times: --column time=COLUMN"
-        )
+    names = list(found)
+    if time not in names:
+        hint = no_names(names) or "; name the one that has the times: --column time=COLUMN"
+        raise InputError(f"{name}: no column {time} among {shown(', '.join(names))}{hint}")
 
 
 def _require_times(table: Mapping[str, FloatArray], name: str, time: str) -> None:
