@@ -28,7 +28,10 @@ def test_what_a_way_shortens_is_found(tmp_path: Path, monkeypatch: pytest.Monkey
     # so few plan sooner than an optimised kernel compiles
     quick = tuple("-O0" if option == "-O2" else option for option in ablation.OPTIONS)
     monkeypatch.setattr(ablation, "OPTIONS", quick)
-    whole = durations(build({}, tmp_path / "whole"), 30)
+    installed = tmp_path / "whole"
+    installed.mkdir()
+    (installed / "segfmu").symlink_to(ablation.ROOT / "src" / "segfmu")
+    whole = durations(installed, 30)
     without = durations(build(WAYS["passing profiles"], tmp_path / "without"), 30)
     assert json.dumps(whole) != json.dumps(without)
     high = [row for row in effects("passing", whole, without) if row["n"] == "5, 6"]

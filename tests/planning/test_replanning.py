@@ -101,14 +101,15 @@ def test_shortly_after_its_start_a_plan_is_left(n: int, share: float) -> None:
     assert verify(reach_velocity(old, [0.5, -1.0], t)).passed
 
 
+@campaign(400, 1500, "cycles")
 @pytest.mark.long
-def test_in_many_cycles_rounding_errors_do_not_delay_it() -> None:
+def test_in_many_cycles_rounding_errors_do_not_delay_it(cycles: int) -> None:
     bounds = Limits(
         [0.52, 4.96, 19.5], [22.0, 1.0, 0.0967], [0.045, 0.0772, 1.0], [1.18, 22.7, 0.433]
     )
     start, end = [1.04435, -1.95586, 0.154021], Waypoint([-0.068994, -0.0394966, -0.0296224])
     first = trajectory = plan([Waypoint(start), end], bounds, synchronize="total")
-    cycle = first.duration / 1500.0
+    cycle = first.duration / cycles
     passed = 0.0
     while trajectory.duration > 1.5 * cycle:
         trajectory = replan(trajectory, cycle, end)

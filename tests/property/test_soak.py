@@ -17,7 +17,7 @@ FEW = [pytest.param(n, marks=pytest.mark.interpreted) for n in (2, 3)]
 SHARE = 1 if COMPILED else 50
 
 
-@campaign(1000, 30_000)
+@campaign(500, 30_000)
 @pytest.mark.interpreted
 @pytest.mark.parametrize("shape", [0, 1])
 @pytest.mark.parametrize("smoothness", [2, 3, 4, 5, 6])
@@ -37,7 +37,7 @@ def test_axes_meet_as_early_as_they_can(count: int) -> None:
 
 @pytest.mark.parametrize("smoothness", [*FEW, 4, 5, 6])
 @pytest.mark.parametrize("ends", [False, True])
-@campaign(96, 2000)
+@campaign(64, 2000)
 def test_plans_are_replanned_and_stopped_anywhere(
     smoothness: int, ends: bool, count: int
 ) -> None:

@@ -11,7 +11,7 @@ from segfmu import Limits, Waypoint, plan, verify
 from segfmu.kernels.planner.intervals import round_up
 from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
 from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
-from tests.campaign import campaign
+from tests.campaign import SOAK, campaign
 from tests.problems import AxisProblem, axis_problems, work_space
 
 
@@ -32,7 +32,8 @@ def shortest(problem: AxisProblem) -> float:
     return -1.0 if count < 0 else float(phases[:, Phase.DURATION].sum())
 
 
-@settings(max_examples=60, deadline=None)
+@pytest.mark.soak
+@settings(max_examples=60 if SOAK else 25, deadline=None)
 @given(axis_problems(), st.sampled_from([1.0001, 1.1, 1.5, 3.0, 20.0]))
 def test_mean_of_two_profiles_meets_the_boundary(problem: AxisProblem, factor: float) -> None:
     least = shortest(problem)
@@ -65,7 +66,7 @@ def test_long_durations_are_always_feasible() -> None:
 def test_gap_of_errata_e10() -> None:
     """Two moving points, 0.3 m apart at 0.5 m/s: about 0.6 s, or more than 2.8 s."""
     problem = AxisProblem(4, 1, (1.0, 1.0, 2.0, 10.0, 0.0), 0.5, 0.0, 0.5, 0.0, 0.3)
-    tried = [*np.arange(0.58, 0.8, 0.02), *np.arange(0.8, 4.0, 0.1)]
+    tried = [*np.arange(0.58, 0.8, 0.02), *np.arange(0.8, 4.0, 0.2)]
     feasible = [t for t in tried if timed(problem, t)[0] >= 0.0]
     assert min(feasible) < 0.62
     assert not [t for t in feasible if 0.8 < t < 2.8]
@@ -96,7 +97,7 @@ def test_stretching_keeps_the_distance() -> None:
         ),
     ],
 )
-@campaign(40, 80)
+@campaign(16, 80)
 def test_no_duration_is_lost_where_few_levels_keep_the_velocity_limit(
     problem: AxisProblem, count: int
 ) -> None:

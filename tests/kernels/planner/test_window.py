@@ -8,6 +8,7 @@ import pytest
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.window import early_window, short_window
+from tests.campaign import campaign
 from tests.problems import packed_axis
 
 TOP, JERK = 1.7, 2.3
@@ -48,13 +49,14 @@ def reversed_in_time(problem: np.ndarray) -> np.ndarray:
     return back
 
 
+@campaign(1000, 4000)
 @pytest.mark.parametrize("snap", [0.0, 1e6])
 @pytest.mark.parametrize("turned", [np.copy, mirrored, reversed_in_time])
-def test_no_motion_that_exists_is_excluded(turned, snap: float) -> None:
+def test_no_motion_that_exists_is_excluded(turned, snap: float, count: int) -> None:
     axis = packed_axis(4 if snap else 3, 1, [100.0, TOP, JERK, snap, 0.0][: 5 if snap else 4])
     random = np.random.default_rng(3)
     tried = 0
-    for _ in range(4000):
+    for _ in range(count):
         duration, problem = motion(random)
         a, b = problem[[Problem.A, Problem.B]]
         single, _ = ramp_duration(abs(b - a), axis)
@@ -66,7 +68,7 @@ def test_no_motion_that_exists_is_excluded(turned, snap: float) -> None:
         problem = turned(problem)
         assert early_window(duration * (1.0 + 1e-6), problem, axis) >= duration * (1.0 - 1e-6)
         assert early_window(3.0 * duration, problem, axis) >= duration * (1.0 - 1e-6)
-    assert tried > 2000
+    assert tried > count // 2
 
 
 def test_a_distance_out_of_reach_is_excluded() -> None:
@@ -81,12 +83,13 @@ def test_a_distance_out_of_reach_is_excluded() -> None:
     assert early_window(1.0, far, axis) == 0.0
 
 
+@campaign(150, 500)
 @pytest.mark.parametrize("turned", [np.copy, mirrored, reversed_in_time])
-def test_a_small_acceleration_of_unlike_sign_is_set_aside(turned) -> None:
+def test_a_small_acceleration_of_unlike_sign_is_set_aside(turned, count: int) -> None:
     axis = packed_axis(3, 1, [100.0, TOP, JERK, 0.0])
     random = np.random.default_rng(4)
     tried = 0
-    while tried < 500:
+    while tried < count:
         duration, problem = motion(random)
         a, b = problem[[Problem.A, Problem.B]]
         single, _ = ramp_duration(a, axis)

@@ -6,6 +6,9 @@ from pathlib import Path
 
 import dask
 
+# its defaults: of settings before they were read, `dask.config.set` leaves none behind
+import distributed  # noqa: F401
+
 from segfmu.validation.campaigns.result import load_result
 from tests.compiler import needs_native
 from tests.cosim.probe.build import build

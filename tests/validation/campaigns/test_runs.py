@@ -15,6 +15,9 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import dask
+
+# its defaults: of settings before they were read, `dask.config.set` leaves none behind
+import distributed  # noqa: F401
 import pyarrow
 import pyarrow.parquet
 import pytest
