@@ -134,6 +134,12 @@ def test_a_signal_that_the_result_has_not_is_told_with_one_alike() -> None:
                 tube_time=0.0, tube_value=0.0)
 
 
+def test_a_tube_has_a_width() -> None:
+    for wide in ({"tube_time": np.inf, "tube_value": 0.1}, {"tube_time": 0.0, "tube_value": -1.0}):
+        with pytest.raises(InputError, match="tubes must be finite and at least 0, got"):
+            compare(ramp(), ramp(), **wide)
+
+
 def test_a_reference_without_signals_is_no_agreement() -> None:
     times = {"time": np.linspace(0.0, 1.0, 5)}
     with pytest.raises(InputError, match=r"^the reference has no signal beside time: nothing"):

@@ -82,7 +82,9 @@ def compare(
         none, or tubes are negative.
     """
     if not (0.0 <= tube_time < np.inf and 0.0 <= (tube_value or 0.0) < np.inf):
-        raise InputError(f"tubes must be at least 0, got {tube_time} s and {tube_value}")
+        raise InputError(
+            f"tubes must be finite and at least 0, got {tube_time} s and {tube_value}"
+        )
     if len(reference) < 2:
         raise InputError("the reference has no signal beside time: nothing would be compared")
     _require_alike(result, reference, tube_time)

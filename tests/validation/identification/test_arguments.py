@@ -10,6 +10,8 @@ import pytest
 
 import segfmu
 from segfmu.errors import InputError
+from segfmu.validation.identification.fit import Problem
+from segfmu.validation.identification.log import read_log
 
 CRANE = {"bridge_mass": 1.0, "trolley_mass": 1.0, "payload_mass": 1.0, "drive": "velocity"}
 LOG = {
@@ -25,6 +27,7 @@ LOG = {
     ("logs", [{**LOG, "time": 0.0}], "log 1: time must be a list of numbers"),
     ("fit", [5], "fit must be a sequence, got 5"),
     ("fit", ["bridge.lag", [5], [["bridge.lag"]]], "fit must be a sequence of names, got"),
+    ("fit", [[""]], "'' cannot be fitted; what can is"),
     ("columns", [5, "time", ["time"]], "columns must be a mapping from names, got"),
     ("columns", [{"time": 5}, {5: "time"}], "columns must be a sequence of names, got"),
     ("validation", [5, [LOG]], "validation must be a file or a dict of columns, got"),
@@ -38,6 +41,34 @@ def test_what_is_none(name: str, wrong: list[Any], words: str) -> None:
         given = {"logs": LOG, "crane": CRANE, "fit": ["bridge.lag"], name: value}
         with pytest.raises(InputError, match=words):
             segfmu.identify(**given)
+
+
+def test_files_of_logs_are_others(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One that was there twice counted twice, and one that was fitted validated itself."""
+    log = written(tmp_path / "log.csv", ",".join([*LOG, "note"]), "on")
+    other = tmp_path / "other.csv"
+    other.symlink_to(log)
+    monkeypatch.setattr(Problem, "fit", lambda *_: pytest.fail("a fit before all was read"))
+    for given, validation, words in (
+        ([log, other], None, "other.csv: is there twice among the logs, and would count twice"),
+        (log, str(other), "other.csv: is fitted, so that it validates nothing; name another log"),
+        (log, tmp_path / "nowhere.csv", "nowhere.csv: cannot be read: No such file"),
+    ):
+        with pytest.raises(InputError, match=words):
+            segfmu.identify(given, CRANE, fit=["bridge.lag"], validation=validation)
+
+
+@pytest.mark.parametrize(("one", "other"), [
+    ("velocity.bridge", "time"), ("velocity.bridge", "velocity.trolley"),
+    ("measured.sway.x.angle", "measured.rope.length"),
+])
+def test_a_column_is_that_of_one_signal(one: str, other: str) -> None:
+    log = LOG | {"velocity.trolley": np.zeros(50)}
+    with pytest.raises(InputError, match=f"column {other} is to be .* and .*; name one of its own"):
+        segfmu.identify(log, CRANE, fit=["bridge.lag"], columns={one: other})
+    # exchanged ones are each that of another signal
+    swapped = {"velocity.bridge": "velocity.trolley", "velocity.trolley": "velocity.bridge"}
+    read_log(log, "velocity", swapped)
 
 
 def test_pieces_of_next_to_no_length_are_the_shortest_that_can_be() -> None:

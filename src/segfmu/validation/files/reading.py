@@ -50,7 +50,8 @@ def read(path: Path) -> dict[str, Any]:
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)
         if len(data) > LARGEST:
-            raise InputError(f"{path}: larger than {LARGEST // 1_000_000} MB, no crane or mission")
+            most = LARGEST // 1_000_000
+            raise InputError(f"{path}: larger than {most} MB, no file of a crane or what it does")
         return _parsed(path, data.decode("utf-8-sig"))
     except IsADirectoryError:
         raise InputError(f"{path}: this is a folder; name a file in it") from None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -54,9 +55,35 @@ def logs_of(
             f"logs must be files or dicts of columns, got {type(logs).__name__}; give a dict of "
             "its columns by their names"
         )
-    sources = [logs] if isinstance(logs, str | Path | Mapping) else as_tuple("logs", logs)
+    sources = _sources(logs)
     if not sources:
         raise InputError("no logs; name at least one")
+    for i, source in enumerate(sources):
+        if any(_same(source, other) for other in sources[:i]):
+            raise InputError(f"{source}: is there twice among the logs, and would count twice")
     return [
         read_log(source, file.drive, columns, f"log {i}") for i, source in enumerate(sources, 1)
     ]
+
+
+def unseen_of(
+    validation: LogSource, logs: LogSource | Sequence[LogSource], file: CraneFile,
+    columns: Mapping[str, str],
+) -> Log:
+    """The log that is only predicted; InputError for one that is fitted."""
+    if any(_same(validation, log) for log in _sources(logs)):
+        raise InputError(
+            f"{validation}: is fitted, so that it validates nothing; name another log, or leave "
+            "validation out: the end of each log is held out"
+        )
+    return read_log(validation, file.drive, columns, "validation")
+
+
+def _sources(logs: LogSource | Sequence[LogSource]) -> Sequence[LogSource]:
+    return [logs] if isinstance(logs, str | Path | Mapping) else as_tuple("logs", logs)
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether both are one file."""
+    paths = isinstance(one, str | Path) and isinstance(other, str | Path)
+    return paths and os.path.exists(one) and os.path.exists(other) and os.path.samefile(one, other)

@@ -14,7 +14,12 @@ import numpy as np
 from segfmu.arrays import FloatArray, as_names, finite_number
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
-from segfmu.validation.identification.arguments import checked_columns, crane_of, logs_of
+from segfmu.validation.identification.arguments import (
+    checked_columns,
+    crane_of,
+    logs_of,
+    unseen_of,
+)
 from segfmu.validation.identification.fit import Problem
 from segfmu.validation.identification.found import Fit
 from segfmu.validation.identification.gaps import longest_gap, sections
@@ -24,7 +29,6 @@ from segfmu.validation.identification.log import (
     ROPE,
     Log,
     LogSource,
-    read_log,
 )
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.possible import impossible
@@ -114,6 +118,8 @@ def identify(
     if not keys or len(set(keys)) < len(keys):
         raise InputError("fit: name keys of the crane file, each once")
     whole = logs_of(logs, file, columns)
+    # before the fit, which may take minutes
+    unseen = None if validation is None else unseen_of(validation, logs, file, columns)
     period = _sizes(file, whole).period
     every = [part for log in whole for part in sections(log, period)]
     fitted = [log.rows(0, round((1.0 - held_out) * log.times.size)) for log in every]
@@ -130,8 +136,7 @@ def identify(
     followed = _Followed(model.changed(changes), zeros_of(model, changes), tube)
     starts = [unknowns.start(found.point, i) for i in range(len(parts))]
     known, later = followed.logs(every, cut, starts)
-    if validation is not None:
-        unseen = read_log(validation, file.drive, columns, "validation")
+    if unseen is not None:
         later += [followed.unseen(part, sizes) for part in sections(unseen, period)]
     return Identification(
         source, file, _estimates(unknowns, found), _untold(unknowns, found), tuple(known),

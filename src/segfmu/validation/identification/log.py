@@ -163,6 +163,15 @@ def _renamed(
         if other not in table:
             raise InputError(f"{where}: no column {other}, which is to be {own}")
         found[own] = table[other]
+    sources: dict[str, str] = {}
+    for own in filter(found.__contains__, names):
+        source = columns.get(own, own)
+        if source in sources:
+            raise InputError(
+                f"{where}: column {source} is to be {sources[source]} and {own}; name one of its "
+                "own for each, with --column NAME=COLUMN"
+            )
+        sources[source] = own
     for own in names:
         wrong = np.flatnonzero(~np.isfinite(found[own])) if own in found else np.empty(0)
         if wrong.size:

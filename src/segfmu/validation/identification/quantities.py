@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import degrees, inf, pi, sqrt
 from typing import Any
 
+from segfmu.arrays import shown
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.keys import DRIVES, Entry, entries
@@ -140,7 +141,8 @@ def quantity(key: str, crane: CraneFile, value: Callable[[str], Any], sizes: Siz
         For a key that cannot be fitted.
     """
     if key not in fittable():
-        raise InputError(f"{key} cannot be fitted; what can is {', '.join(fittable())}")
+        known = ", ".join(fittable())
+        raise InputError(f"{key or shown(key)} cannot be fitted; what can is {known}")
     entry = _entries()[key]
     (variable,) = entry.feeds
     before = float(value(variable))
