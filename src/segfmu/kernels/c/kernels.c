@@ -850,6 +850,7 @@ static void set_limits(double steep, array_double_2d lead);
 static bool is_settled(array_double_2d lead);
 static void soonest_ends(int64_t order, array_double_2d lead);
 static double profile_time(array_double_2d lead);
+static void time_anew(int64_t order, array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool begins_now(array_double_2d lead, array_double_2d coefficients);
 static bool is_better(double time, array_double_2d lead);
@@ -26838,7 +26839,15 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(2))) = (*cspan_at(&target, INT64_C(2)));
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
-    count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+    count = -INT64_C(1);
+    if ((*cspan_at(&lead, INT64_C(16), INT64_C(4))) != 0.0)
+    {
+        count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+    }
+    else
+    {
+        count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+    }
     if (count < INT64_C(0))
     {
         return -1.0;
@@ -26849,6 +26858,27 @@ static double profile_time(array_double_2d lead)
         duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
     }
     return duration;
+}
+static void time_anew(int64_t order, array_double_2d lead)
+{
+    int64_t i;
+    double rest;
+    double time;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 0.0;
+    if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
+    {
+        return;
+    }
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(11), i));
+    }
+    rest = profile_time(lead);
+    if (rest >= 0.0)
+    {
+        time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + rest;
+        (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = span_min((*cspan_at(&lead, INT64_C(16), INT64_C(0))), time);
+    }
 }
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -26965,6 +26995,7 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
 static double try_lead(int64_t order, int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t last;
+    double best;
     double rest;
     double time;
     if (order == INT64_C(1))
@@ -26977,12 +27008,18 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
     {
         return 1e+300;
     }
+    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
+    best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+    if ((best >= 0.0) && (time >= best))
+    {
+        return 1e+300;
+    }
     rest = profile_time(lead);
     if (rest < 0.0)
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + rest;
+    time = time + rest;
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -27103,6 +27140,10 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
     first_free = first_free_stage(order);
     for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
     {
+        if (sweep == INT64_C(1))
+        {
+            time_anew(order, lead);
+        }
         for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
         {
             stage = first_free + INT64_C(2) * i;
@@ -27146,6 +27187,7 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
     double before;
     int64_t j;
     steep = 1.0;
+    (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
@@ -27164,6 +27206,11 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
             }
         }
         search_ends(order, within_0001, limits, lead, timing, coefficients);
+        if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (order != INT64_C(1)))
+        {
+            (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 0.0;
+            search_ends(order, within_0001, limits, lead, timing, coefficients);
+        }
         if (leads_in(within_0001, lead))
         {
             break;
@@ -27447,6 +27494,7 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
 {
     int64_t i;
     double time;
+    time_anew(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(0), i));

@@ -2528,7 +2528,8 @@ enum {
     LEAD_COUNT = 1,
     LEAD_LEVEL = 2,
     LEAD_GAIN = 3,
-    LEAD_SIZE = 4
+    LEAD_RAMPS = 4,
+    LEAD_SIZE = 5
 };
 
 enum {

@@ -15,7 +15,7 @@ from segfmu.kernels.settling.brake_limits import is_outside
 from segfmu.kernels.settling.level_search import permits_levels, search_levels
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.search import search_stages
-from segfmu.kernels.settling.trial import try_lead
+from segfmu.kernels.settling.trial import time_anew, try_lead
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -155,6 +155,7 @@ def improve_lead(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search over levels where there is no lead yet, or it takes longer than `within` [s]."""
+    time_anew(order, lead)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
     time = lead[LeadWork.BEST, Lead.TIME]

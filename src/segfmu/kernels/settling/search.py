@@ -3,13 +3,20 @@
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
 other ends are free. The search starts from the soonest ends, goes to the level that the following
-profile wants first, or over a grid where there is none, and refines by halved steps.
+profile wants first, or over a grid where there is none, and refines by halved steps. It counts
+with profiles of ramps alone, which are found sooner, until all but one of the free ends are known.
 """
 
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
-from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
+from segfmu.kernels.settling.trial import (
+    is_settled,
+    set_limits,
+    soonest_ends,
+    time_anew,
+    try_lead,
+)
 
 # values on both sides of the best one cost at most this share of its time: closer ones gain less
 FLAT = 1.0001
@@ -130,6 +137,8 @@ def improve_ends(
     smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     first_free = first_free_stage(order)
     for sweep in range(2):
+        if sweep == 1:
+            time_anew(order, lead)
         for i in range(2):
             stage = first_free + 2 * i
             if stage < smoothness:
@@ -155,6 +164,7 @@ def search_stages(
     Derivatives that nothing limits are raised as long as that shortens it (WORTH_STEEPER).
     """
     steep = 1.0
+    lead[LeadWork.BEST, Lead.RAMPS] = 1.0
     for i in range(STEEPEST):
         set_limits(steep, lead)
         lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
@@ -167,6 +177,10 @@ def search_stages(
             if i > 1 and lead[LeadWork.BEST, Lead.TIME] == before:
                 break
         search_ends(order, within, limits, lead, timing, coefficients)
+        if lead[LeadWork.BEST, Lead.TIME] < 0.0 and order != LeadStage.VELOCITY:
+            # ramps alone may not get there
+            lead[LeadWork.BEST, Lead.RAMPS] = 0.0
+            search_ends(order, within, limits, lead, timing, coefficients)
         if leads_in(within, lead):
             break
         steep = STEEPER * steep

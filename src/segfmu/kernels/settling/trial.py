@@ -2,7 +2,7 @@
 
 from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.planner.phases import total_duration
-from segfmu.kernels.planner.profile import plain_profile
+from segfmu.kernels.planner.profile import plain_profile, shortest_ramps
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
@@ -58,13 +58,30 @@ def profile_time(lead: 'float[:,:]') -> float:
     problem[Problem.W] = target[Problem.W]
     problem[Problem.B] = target[Problem.B]
     problem[Problem.DISTANCE] = target[Problem.DISTANCE] - state[Chain.DERIVATIVES]
-    count = plain_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    count = -1
+    if lead[LeadWork.BEST, Lead.RAMPS] != 0.0:
+        count = shortest_ramps(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
+    else:
+        count = plain_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
     if count < 0:
         return -1.0
     duration = 0.0
     for i in range(count):
         duration = duration + phases[i, Phase.DURATION]
     return duration
+
+
+def time_anew(order: int, lead: 'float[:,:]') -> None:
+    """Let the best lead be followed by the planner's profile, no more by that of ramps alone."""
+    lead[LeadWork.BEST, Lead.RAMPS] = 0.0
+    if order == LeadStage.VELOCITY or lead[LeadWork.BEST, Lead.TIME] < 0.0:
+        return
+    for i in range(Chain.SIZE):
+        lead[LeadWork.STATE, i] = lead[LeadWork.REACHED, i]
+    rest = profile_time(lead)
+    if rest >= 0.0:
+        time = lead[LeadWork.STATE, Chain.TIME] + rest
+        lead[LeadWork.BEST, Lead.TIME] = min(lead[LeadWork.BEST, Lead.TIME], time)
 
 
 def keep_lead(
@@ -135,20 +152,24 @@ def try_lead(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
-    """Settle from `row` on to the ends in the row ENDS; the time to the target [s], NEVER: none.
+    """Settle from `row` on to the ends in the row ENDS; the time to the target [s].
 
-    The lead is kept if it is the best one so far. Rows of the second half before `row` belong to
-    it as they are.
+    NEVER: there is none, or the best one so far is at the target before this one settles. The lead
+    is kept if it is the best one. Rows of the second half before `row` belong to it as they are.
     """
     if order == LeadStage.VELOCITY:
         return try_velocity(row, limits, lead, timing, coefficients)
     last = settle(order, row, lead, timing, coefficients)
     if last < 0:
         return NEVER
+    time = lead[LeadWork.STATE, Chain.TIME]
+    best = lead[LeadWork.BEST, Lead.TIME]
+    if best >= 0.0 and time >= best:
+        return NEVER
     rest = profile_time(lead)
     if rest < 0.0:
         return NEVER
-    time = lead[LeadWork.STATE, Chain.TIME] + rest
+    time = time + rest
     keep_better(last, time, limits, lead, timing, coefficients)
     return time
 
