@@ -27437,6 +27437,7 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
     int64_t tried;
     int64_t row;
     int64_t place;
+    double best;
     int64_t i;
     first = (*cspan_at(&plan_offsets, axis));
     last = (*cspan_at(&plan_offsets, axis + INT64_C(1)));
@@ -27445,6 +27446,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
     {
         place = INT64_C(400) + row - first;
         if ((row - first >= span_floor_div(INT64_C(3) * INT64_C(400), INT64_C(4))) || (tried >= INT64_C(8)))
+        {
+            break;
+        }
+        best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        if ((best >= 0.0) && ((*cspan_at(&plan_timing, row, INT64_C(0))) >= best))
         {
             break;
         }

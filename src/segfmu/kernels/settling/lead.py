@@ -66,6 +66,9 @@ def follow_plan(
         place = LeadRows.PIECES + row - first
         if row - first >= 3 * LeadRows.PIECES // 4 or tried >= 8:
             break
+        best = lead[LeadWork.BEST, Lead.TIME]
+        if best >= 0.0 and plan_timing[row, Timing.START] >= best:
+            break
         for i in range(Timing.SIZE):
             timing[place, i] = plan_timing[row, i]
         for i in range(coefficients.shape[1]):
