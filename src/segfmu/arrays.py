@@ -173,7 +173,8 @@ def limit_values(name: str, value: ArrayLike | None, *, required: bool) -> Float
     if array.ndim > 1 or array.size == 0:
         raise InputError(f"{name} must be a number or one per axis, got shape {array.shape}")
     values = array.ravel().tolist()
-    if not all(v > 0.0 for v in values):
+    # as a generator it would take as long as all else here
+    if not all(map((0.0).__lt__, values)):
         raise InputError(f"{name} must be greater than 0, got {_given(value)}")
     if required and inf in values:
         raise InputError(f"{name} must be finite, got {_given(value)}")
@@ -210,7 +211,9 @@ def _given(value: Any) -> str:
 
 
 def numbers(name: str, value: Any, kind: str = "a number or a list of numbers") -> FloatArray:
-    if type(value) is not np.ndarray and isinstance(value, np.ma.MaskedArray):
+    if type(value) is np.ndarray and value.dtype == np.float64:
+        return value.copy()
+    if isinstance(value, np.ma.MaskedArray):
         raise InputError(f"{name} must not be a masked array; leave out or fill what is masked")
     try:
         raw = np.asarray(value)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import (
     ABSENT,
+    SAME,
     FloatArray,
     Frozen,
     Range,
@@ -68,14 +69,16 @@ class Limits(Frozen):
         acceleration_min: Range = None,
     ) -> None:
         given = (velocity, acceleration, jerk, snap, crackle, pop)
-        for i, (name, value) in enumerate(zip(NAMES, given, strict=True)):
-            values = limit_values(f"limits.{name}", value, required=i < 2)
-            object.__setattr__(self, name, values)
+        found = {
+            name: limit_values(f"limits.{name}", value, required=i < 2)
+            for i, (name, value) in enumerate(zip(NAMES, given, strict=True))
+        }
         for name, least in zip(LOWER, (velocity_min, acceleration_min), strict=True):
-            object.__setattr__(self, name, lower_values(f"limits.{name}", least))
-        sizes = {v.size for v in (*self._all(), *self._lower()) if v.ndim == 1}
+            found[name] = lower_values(f"limits.{name}", least)
+        sizes = {v.size for v in found.values() if v.ndim == 1}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
+        vars(self).update(found)
 
     def __repr__(self) -> str:
         given = ((n, v) for n, v in zip(NAMES, self._all(), strict=True) if limited(v))
@@ -87,6 +90,11 @@ class Limits(Frozen):
 
     def _all(self) -> tuple[FloatArray, ...]:
         return tuple(getattr(self, name) for name in NAMES)
+
+    def _kept(self) -> dict[int | tuple[int, int], FloatArray]:
+        """Tables that have been made, by the number of axes, or that and the smoothness."""
+        kept: dict[int | tuple[int, int], FloatArray] = vars(self).setdefault("_tables", {})
+        return kept
 
     def _lower(self) -> tuple[FloatArray, FloatArray]:
         return self.velocity_min, self.acceleration_min
@@ -109,18 +117,26 @@ class Limits(Frozen):
         Returns
         -------
         ndarray, shape (axes, 2)
+            Read-only.
 
         Raises
         ------
         InputError
             For another number of axes than that of the limits.
         """
-        axes = as_index("axes", axes)
-        for name, values in zip(LOWER, self._lower(), strict=True):
-            _require_axes(name, values, axes)
+        tables = self._kept()
+        if not (type(axes) is int and axes in tables):
+            axes = as_index("axes", axes)
+            tables[axes] = self._lower_table(axes)
+        return tables[axes]
+
+    def _lower_table(self, axes: int) -> FloatArray:
         found = np.empty((axes, len(LOWER)))
         for i, (name, values) in enumerate(zip(LOWER, self._lower(), strict=True)):
-            found[:, i] = np.where(np.isinf(values), getattr(self, name[:-4]), -values)
+            _require_axes(name, values, axes)
+            upper = getattr(self, name[:-4])
+            found[:, i] = upper if values is SAME else np.where(np.isinf(values), upper, -values)
+        found.setflags(write=False)
         return found
 
     def table(self, axes: int, smoothness: int) -> FloatArray:
@@ -137,7 +153,7 @@ class Limits(Frozen):
             For a limit of a derivative that is unbounded at this smoothness, and for another number
             of axes than that of the limits.
         """
-        tables: dict[tuple[int, int], FloatArray] = self.__dict__.setdefault("_tables", {})
+        tables = self._kept()
         size = axes, smoothness
         if not (type(axes) is int and type(smoothness) is int and size in tables):
             size = as_index("axes", axes), as_index("smoothness", smoothness, len(NAMES))
@@ -157,6 +173,8 @@ class Limits(Frozen):
     def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))
         for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
+            if values is ABSENT:
+                continue
             _require_axes(name, values, axes)
             if i <= smoothness:
                 table[:, i] = values
@@ -165,7 +183,7 @@ class Limits(Frozen):
                     f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
                     f"derivative unbounded; raise smoothness to {i} or omit the limit"
                 )
-        table[np.isinf(table)] = 0.0
+        table[table == inf] = 0.0
         table.setflags(write=False)
         return table
 

@@ -76,12 +76,8 @@ def checked_request(
         _choice("synchronize", synchronize, SYNCHRONIZATIONS),
         _time("sample_time", sample_time), _time("duration", duration),
     )
-    states = np.empty((len(points), axes, WaypointState.SIZE))
-    dwells = np.zeros(len(points))
-    for i, point in enumerate(points):
-        states[i] = point.planned
-        if point.dwell > 0.0:
-            dwells[i] = point.dwell
+    states = np.array([point.planned for point in points])
+    dwells = np.array([point.dwell for point in points])
     table = limits.table(axes, chosen.smoothness)
     # a start on another plan stays as it is
     lower = limits.lower(axes)

@@ -98,7 +98,9 @@ class Waypoint(Frozen):
         rest = finite_number("dwell", dwell)
         if rest < 0.0:
             raise InputError(f"dwell must be a time >= 0 s, got {shown(dwell)}")
-        planned = np.array([values, *vectors[:FREE]]).T.copy()
+        planned = np.empty((values.size, 1 + FREE))
+        for i, vector in enumerate((values, *vectors[:FREE])):
+            planned[:, i] = vector
         planned.setflags(write=False)
         vars(self).update(
             zip(DERIVATIVES, vectors, strict=True), position=values, dwell=rest, axes=values.size,
