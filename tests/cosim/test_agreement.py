@@ -12,6 +12,7 @@ from segfmu.cosim import simulate
 from segfmu.crane import Plant, Rig, Setpoints
 from segfmu.crane.feedback import design
 from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
+from tests.campaign import soaked_rows
 from tests.fmu.python.test_slaves import LIMITS, POINTS
 
 # no step ends at the plan's event at 0.1 s, which is a rounding error before a tick
@@ -72,9 +73,13 @@ def pure(driven: bool, values: dict[str, float], events: bool) -> tuple[list, li
     return list(states), list(measured), list(forces)
 
 
-@pytest.mark.parametrize("events", [False, True])
-@pytest.mark.parametrize("driven", [False, True])
-@pytest.mark.parametrize("values", [{}, UNKIND], ids=["ideal", "unkind"])
+# each two of the three together, and in a soak all combinations
+@pytest.mark.parametrize(("values", "driven", "events"), [
+    ({}, False, False), ({}, True, True), (UNKIND, False, True), (UNKIND, True, False),
+    *soaked_rows(
+        ({}, False, True), ({}, True, False), (UNKIND, False, False), (UNKIND, True, True)
+    ),
+])
 def test_fmus_and_python_agree(
     fmus: tuple[Path, Path], driven: bool, values, events: bool
 ) -> None:

@@ -12,6 +12,7 @@ from segfmu.crane.feedback import SwayFeedback, design
 from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.tracking import TrackingController
+from tests.campaign import soaked_rows
 from tests.crane.loop import Rig, simulate
 from tests.crane.newton import direction
 
@@ -248,12 +249,14 @@ def moved(
 @pytest.mark.parametrize(
     ("driven", "values"),
     [
-        (True, {"start": SWAYING - REST}), (False, {"start": SWAYING - REST}),
-        (True, {"wind": GUST}), (False, {"wind": GUST}),
-        (True, {"start": SHIFTED}), (False, {"start": -SHIFTED}),
-        (True, {"start": SHIFTED, "sensors": UNAWARE, "blind": True}),
+        (True, {"start": SWAYING - REST}), (False, {"wind": GUST}), (True, {"start": SHIFTED}),
         (False, {"start": SHIFTED, "sensors": UNAWARE, "blind": True}),
         (False, {"payload": 0.5}), (False, {"payload": 1.5}),
+        *soaked_rows(
+            (False, {"start": SWAYING - REST}), (True, {"wind": GUST}),
+            (False, {"start": -SHIFTED}),
+            (True, {"start": SHIFTED, "sensors": UNAWARE, "blind": True}),
+        ),
     ],
     ids=lambda value: "-".join(value) if isinstance(value, dict) else "driven" * value,
 )
@@ -267,8 +270,9 @@ def test_feedback_beats_feedforward_alone(kind: str, driven: bool, values) -> No
     assert (alone > np.array([3.0, 10.0]) * together).all()
 
 
-@pytest.mark.parametrize("dead_time", [0.0, 0.01])
-@pytest.mark.parametrize("driven", [False, True])
+@pytest.mark.parametrize(("driven", "dead_time"), [
+    (False, 0.01), (True, 0.0), *soaked_rows((False, 0.0), (True, 0.01)),
+])
 @pytest.mark.parametrize("kind", ["lqr", "flat"])
 def test_with_encoders_it_is_no_worse_than_feedforward_alone(
     kind: str, driven: bool, dead_time: float

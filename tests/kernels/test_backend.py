@@ -46,7 +46,7 @@ from segfmu.kernels.planner import parameters, profile, synchronize
 from segfmu.kernels.planner.records import Axis, Cell, Phase, PlanWork, Problem
 from segfmu.kernels.rig import rig
 from segfmu.kernels.trajectory import evaluate, motion
-from tests.campaign import SOAK
+from tests.campaign import SOAK, campaign
 from tests.compiler import compiled_kernels
 from tests.kernels.rigs import CONTROLLERS, HANGING, LAB, everything
 from tests.problems import AxisProblem, axis_problems, work_space
@@ -152,7 +152,8 @@ def test_crane_kernels_agree() -> None:
 
 
 @pytest.mark.parametrize("driven", [False, True])
-def test_plants_agree(driven: bool) -> None:
+@campaign(6, 20)
+def test_plants_agree(driven: bool, count: int) -> None:
     random = np.random.default_rng(5)
     rig = Rig(
         bridge=Drive(0.02, 12.0, 2.0), trolley=Drive(0.01, 3.0), hoist=Drive(0.0, 25.0),
@@ -160,7 +161,7 @@ def test_plants_agree(driven: bool) -> None:
         wind=Wind((0.1, 0.2, 0.0), Gust(0.0, 0.1, (1.0, 0.5, 0.1), "sine"), (0.1, 0.1, 0.0)),
     )
     parameters = rig.parameters(Crane(*MASSES), driven)
-    for _ in range(20):
+    for _ in range(count):
         state = np.append(random.uniform(-0.4, 0.4, 10), np.zeros(PlantState.SIZE - State.SIZE))
         state[2] = random.uniform(0.5, 3.0)
         command, load_force = random.uniform(-1.0, 1.0, (2, 3))

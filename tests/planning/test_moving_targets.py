@@ -22,7 +22,7 @@ def moved(random: np.random.Generator, n: int) -> tuple[Trajectory, float, float
     return old, random.uniform(0.0, old.duration), float(target)
 
 
-@campaign(2, 12)
+@campaign(1, 12)
 @pytest.mark.parametrize(("n", "most"), [(3, 1.05), (4, 1.03), (5, 1.06), (6, 1.1)])
 def test_a_moved_target_is_reached_near_the_optimum(n: int, most: float, count: int) -> None:
     random = np.random.default_rng(17)

@@ -445,7 +445,7 @@ def test_a_refused_first_waypoint_names_the_limit_that_it_breaks(
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
 @pytest.mark.parametrize("synchronize", ["waypoints", "total", "none"])
-@campaign(3, 20)
+@campaign(2, 20)
 def test_at_the_very_end_of_a_plan_that_ends_moving_nothing_is_left(
     n: int, synchronize: str, count: int
 ) -> None:

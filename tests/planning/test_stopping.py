@@ -21,6 +21,7 @@ from segfmu import (
     stop,
     verify,
 )
+from tests.campaign import soaked_rows
 
 # limits c_1 .. c_n, and velocity, acceleration and so on; smoothness n
 STATES = (
@@ -48,8 +49,9 @@ NARROW = (
 
 
 @pytest.mark.parametrize(("bounds", "state"), STATES)
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-@pytest.mark.parametrize("scale", [1.0, 1000.0])
+@pytest.mark.parametrize(("sign", "scale"), [
+    (1.0, 1000.0), (-1.0, 1.0), *soaked_rows((1.0, 1.0), (-1.0, 1000.0)),
+])
 def test_a_stop_passes_zero_jerk_with_snap(
     bounds: tuple[float, ...], state: tuple[float, ...], sign: float, scale: float
 ) -> None:

@@ -15,7 +15,7 @@ from segfmu.validation.campaigns.result import load_result
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.scenario_file import build_scenario, read_source
 from segfmu.validation.suite import Runner
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked_rows
 from tests.compiler import require_native
 from tests.validation.campaigns.files import run
 
@@ -144,7 +144,7 @@ def every(step: int, name: str, folder: Path) -> Path:
     return folder / "campaign.toml"
 
 
-@pytest.mark.parametrize(("name", "place"), [("lab", 0), ("quay", 1)])
+@pytest.mark.parametrize(("name", "place"), [("quay", 1), *soaked_rows(("lab", 0))])
 @campaign(2, 13, "disturbances")
 def test_the_comparison_is_as_told_and_every_drive_within_its_bounds(
     name: str, place: int, disturbances: int, tmp_path: Path

@@ -20,6 +20,7 @@ from segfmu.crane.tracking import TrackingController
 from segfmu.errors import SimulationError
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_crane.rig_parameters import rig_parameters
+from tests.campaign import SOAK
 from tests.fmu.native.importer import Importer
 from tests.fmu.native.test_agreement import INPUTS, exchange, inputs, steps
 from tests.fmu.native.test_state import restore, run, serialised
@@ -130,10 +131,12 @@ late = pytest.mark.parametrize("more", [{}, LATE], ids=["prompt", "late"])
 
 @both
 @late
+@pytest.mark.soak
 @pytest.mark.parametrize("kind", ["0.004", "0.05", "irregular"])
 def test_native_is_the_python_simulation(native_fmus, driven: bool, more, kind: str) -> None:
     values = ON | more | {"sway.x.angle": 0.03}
-    for fmi in (2, 3):
+    # the versions in turns; both in a soak
+    for fmi in (2, 3) if SOAK else (2 + driven,):
         own = loop(driven, values)
         with Importer(native_fmus[fmi][1]) as fmu:
             fmu.set(values | mode(driven))

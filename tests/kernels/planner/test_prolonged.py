@@ -70,7 +70,7 @@ def prolonged(rng: np.random.Generator, smoothness: int, highest: int) -> bool:
     ("smoothness", "highest", "refused"),
     [(2, 3, 0), (3, 3, 0), (3, 4, 4), (4, 4, 0), (4, 5, 0), (5, 5, 0), (5, 6, 2), (6, 6, 0)],
 )
-@campaign(150, 300)
+@campaign(75, 300)
 def test_most_durations_of_smooth_motions(
     smoothness: int, highest: int, refused: int, count: int
 ) -> None:
@@ -81,7 +81,7 @@ def test_most_durations_of_smooth_motions(
 
 
 @pytest.mark.parametrize(("n", "missed"), [(4, 1), (5, 2), (6, 15)])
-@campaign(5, 60)
+@campaign(3, 60)
 def test_durations_are_refused_where_no_motion_lasts_them(n: int, missed: int, count: int) -> None:
     """`missed` of 60 times 4. Linear programs judge, and give the optimum as well."""
     rng = np.random.default_rng(n)

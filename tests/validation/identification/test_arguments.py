@@ -91,7 +91,7 @@ def test_columns_that_are_misspelt_are_named(wrong: str, right: str, tmp_path: P
         with pytest.raises(InputError, match=words) as told:
             segfmu.identify(given, CRANE, fit=["bridge.lag"])
         assert f"--column {right}={wrong}" in str(told.value)
-        segfmu.identify(given, CRANE, fit=["bridge.lag"], columns={right: wrong})
+    segfmu.identify(log, CRANE, fit=["bridge.lag"], columns={right: wrong})
 
 
 def test_further_columns_are_no_misspelt_ones() -> None:

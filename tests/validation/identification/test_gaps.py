@@ -10,6 +10,7 @@ import pytest
 import segfmu
 from segfmu.validation.identification.gaps import longest_gap
 from segfmu.validation.identification.log import read_log
+from tests.campaign import soaked_rows
 
 CRANE: dict[str, Any] = {
     "bridge_mass": 2.2, "trolley_mass": 1.1, "payload_mass": 1.0, "drive": "velocity",
@@ -30,7 +31,7 @@ def moving(kept: np.ndarray[Any, np.dtype[np.bool_]]) -> dict[str, Any]:
 @pytest.mark.parametrize(("first", "last", "found"), [
     (200, 230, (1.99, 2.3)),  # while it moves
     (10, 90, None),           # while it rests
-    (200, 205, None),         # a few rows
+    *soaked_rows((200, 205, None)),  # a few rows
 ])
 def test_setpoints_that_change_without_a_row_are_told(
     first: int, last: int, found: tuple[float, float] | None

@@ -10,7 +10,7 @@ from matplotlib.text import Text
 
 from segfmu import Clearance, Limits, Obstacle, Waypoint, plan
 from segfmu.validation.plots.path import motion, plot_path
-from tests.campaign import soaked
+from tests.campaign import soaked_rows
 
 
 @pytest.mark.parametrize(("end", "direction", "name"), [
@@ -71,8 +71,10 @@ def crossings(texts: list[Text]) -> list[str]:
     return [t.get_text() for i, t in enumerate(texts) if boxes[i].count_overlaps(boxes[:i])]
 
 
-@pytest.mark.parametrize("wide", [1e-3, 40.0, *soaked(1.0)])
-@pytest.mark.parametrize("away", [0.0, 1234.5])
+@pytest.mark.parametrize(("wide", "away"), [
+    (1e-3, 0.0), (40.0, 1234.5),
+    *soaked_rows((1e-3, 1234.5), (40.0, 0.0), (1.0, 0.0), (1.0, 1234.5)),
+])
 def test_numbers_of_waypoints_and_axes_are_apart(wide: float, away: float, tmp_path: Path) -> None:
     places = np.random.default_rng(7).normal(size=(40, 3)) * [0.0, wide, 0.3 * wide]
     points = [Waypoint(away + place - [0.0, 0.0, away + 2.0 + 3.0 * wide]) for place in places]
