@@ -72,10 +72,12 @@ def campaign(
     from segfmu.validation.campaigns.result import load_result
     from segfmu.validation.campaigns.run import require_packages
     from segfmu.validation.campaigns.store import CAMPAIGN_FILES
+    from segfmu.validation.texts import require_utf8
 
     require_packages()
     if replay is None:
         require_folder(output, *CAMPAIGN_FILES, REPORT)
+    require_utf8(Path(output))
     if junit is not None:
         require_file(junit)
         require_kept([file], [junit])

@@ -16,6 +16,7 @@ from segfmu.validation.campaigns.store import CAMPAIGN_FILES
 from segfmu.validation.campaigns.summary_file import write_summary
 from segfmu.validation.output import file_path, folder, require_folder
 from segfmu.validation.progress import Progress, quiet
+from segfmu.validation.texts import require_utf8
 
 
 def campaign(
@@ -66,6 +67,7 @@ def campaign(
     if jobs is not None:
         jobs = as_index("jobs", jobs, least=1)
     require_folder(output, *CAMPAIGN_FILES)
+    require_utf8(Path(output))
     task = load_campaign(file_path(file))
     progress("checking names", 0.0)
     require_names(task)

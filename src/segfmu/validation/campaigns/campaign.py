@@ -19,6 +19,7 @@ from segfmu.validation.files.scenario_file import Scenario, Source, build_scenar
 from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.monitor import measure
 from segfmu.validation.requirements import words
+from segfmu.validation.texts import require_utf8
 
 # kinds of sampling from which a probability follows
 AT_RANDOM = ("random", "latin hypercube")
@@ -144,6 +145,8 @@ def load_campaign(path: Path) -> Campaign:
         One line with the file, the key, the value and what is allowed.
     """
     source = read_campaign(path)
+    for place in (path, *(own.path for own in source.scenarios)):
+        require_utf8(place)
     try:
         files = [s.file for own in source.scenarios for s in _ends(own, source.file.factors)]
         criteria = [criterion for file in files for criterion in file.criteria]

@@ -16,6 +16,7 @@ from segfmu.errors import (
     SimulationError,
 )
 from segfmu.validation.files.keys import Key
+from segfmu.validation.texts import encodable
 
 Kind = Literal["input", "infeasible", "build", "simulation", "system"]
 KINDS: dict[type[SegfmuError], Kind] = {
@@ -27,10 +28,7 @@ Value = Annotated[float | None, Field(allow_inf_nan=True)]
 
 
 def _encodable(value: object) -> object:
-    """Names of files may have bytes that are no UTF-8."""
-    if isinstance(value, str):
-        return value.encode("utf-8", "backslashreplace").decode("utf-8")
-    return value
+    return encodable(value) if isinstance(value, str) else value
 
 
 Text = Annotated[str, BeforeValidator(_encodable)]

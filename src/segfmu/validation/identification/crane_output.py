@@ -16,6 +16,7 @@ from segfmu.validation.files.crane_parameters import check
 from segfmu.validation.files.reading import checked
 from segfmu.validation.identification.possible import require_possible
 from segfmu.validation.identification.result import Estimate, Identification, Untold
+from segfmu.validation.texts import encodable
 from segfmu.validation.units import pretty
 
 
@@ -41,7 +42,7 @@ def crane_text(found: Identification, path: Path) -> str:
         document.update(found.nominal.model_dump(exclude_unset=True))
     else:
         document = tomlkit.parse(found.source.read_text(encoding="utf-8-sig"))
-    names = ", ".join(dict.fromkeys(Path(p.log).name for p in found.fitted))
+    names = encodable(", ".join(dict.fromkeys(Path(p.log).name for p in found.fitted)))
     for estimate in found.estimates:
         _set(document, estimate.key, rounded(estimate), _source(estimate, names))
     for untold in found.untold:

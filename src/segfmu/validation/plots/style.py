@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from segfmu.cosim.result import replacing
+from segfmu.validation.texts import encodable
 
 # of Okabe and Ito, which colour-blind readers tell apart
 COLOURS = ("#0072b2", "#d55e00", "#009e73")
@@ -57,7 +58,7 @@ def stack(count: int, height: float = 2.2) -> tuple[Figure, list[Axes]]:
 
 def label(text: str, width: int = 80) -> str:
     """A name of the user in lines of so many characters; dollars in it are no mathematics."""
-    return "\n".join(wrap(text, width)).replace("$", r"\$")
+    return "\n".join(wrap(encodable(text), width)).replace("$", r"\$")
 
 
 def legend(panel: Axes) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 from segfmu.cosim.result import replacing
 from segfmu.validation.output import file_path
 from segfmu.validation.report.web import as_json, filled
+from segfmu.validation.texts import encodable
 
 # of a chart whose limits are far away: from this use on they are in the picture
 NEAR = 0.2
@@ -153,7 +154,7 @@ def write(path: str | Path, page: Page) -> Path:
         If the file cannot be written.
     """
     target = file_path(path)
-    text = render(page)
+    text = encodable(render(page))
     with replacing(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
     return target
