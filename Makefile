@@ -24,6 +24,10 @@ print(*(sum(extras, []) if extras else project["dependencies"]), sep="\n")
 endef
 export REQUIREMENTS
 
+# modules that commands load
+LOADED := fmpy, matplotlib.backends.backend_agg, scipy.linalg, segfmu.cli, segfmu.cosim, \
+	segfmu.validation.plots, segfmu.validation.report, segfmu.validation.runs
+
 FOR_PACKAGE := pyproject.toml requirements-dev.lock
 FOR_KERNELS := pyproject.toml setup.py $(wildcard src/segfmu/kernels/c/* src/segfmu/cosim/c/*)
 
@@ -41,6 +45,8 @@ $(BIN)/python:
 $(VENV)/required: $(FOR_PACKAGE)
 	@$(BIN)/python -c "$$REQUIREMENTS" > $@.txt
 	@$(PIP) --requirement $@.txt
+	@# bytecode of what the first commands load, written while the kernels compile
+	@PYTHONDONTWRITEBYTECODE= PYTHONPATH=src SEGFMU_INTERPRETED=1 $(BIN)/python -c "import $(LOADED)"
 	@touch $@
 
 $(VENV)/compiled: $(FOR_KERNELS)
