@@ -62,6 +62,15 @@ static inline array_double_2d timing_of(const segfmu_trajectory *t)
     return matrix((double *)t->timing, t->pieces, 2);
 }
 
+/* The crane of the parameters. */
+static void crane_of(const model *base, double known[RESISTANCE_SIZE]);
+
+/* The inverse for derivatives of the load's position, one row each, and derivatives of it, for which
+   there are so many rows more. */
+static void invert(double known[RESISTANCE_SIZE], double *load, double results[RESULTS]);
+static void invert_derivative(
+    double known[RESISTANCE_SIZE], double *load, int64_t order, double results[RESULTS]);
+
 /* What is known of the drives, and the longest dead time [s] of them. */
 static double drives_of(const feedforward *m, double known[COMPENSATION_SIZE]);
 

@@ -2,7 +2,6 @@
 #ifndef SEGFMU_FLAT_INVERSE_H
 #define SEGFMU_FLAT_INVERSE_H
 
-#include "model.h"
 #include "records.h"
 
 /* derivatives of the load's position that it needs, and where its results are */
@@ -13,14 +12,5 @@ enum {
     RESULT_ACCELERATION = HOOK_FEEDFORWARD_ACCELERATION, RESULT_SETPOINT = HOOK_FEEDFORWARD_VELOCITY
 };
 #define feeds_results feeds_hook_feedforward
-
-/* The crane of the parameters. */
-static void crane_of(const model *base, double known[RESISTANCE_SIZE]);
-
-/* The inverse for derivatives of the load's position, one row each, and derivatives of it, for which
-   there are so many rows more. */
-static void invert(double known[RESISTANCE_SIZE], double *load, double results[RESULTS]);
-static void invert_derivative(
-    double known[RESISTANCE_SIZE], double *load, int64_t order, double results[RESULTS]);
 
 #endif
