@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
@@ -45,8 +46,13 @@ def text(name: str) -> str:
 
 
 def tree(name: str) -> ast.Module:
-    """Syntax tree of a kernel module."""
-    return ast.parse(text(name))
+    """Syntax tree of a kernel module, which nobody changes."""
+    return _parsed(text(name))
+
+
+@cache
+def _parsed(source: str) -> ast.Module:
+    return ast.parse(source)
 
 
 def amalgamated() -> str:

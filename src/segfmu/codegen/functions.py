@@ -30,20 +30,22 @@ def functions() -> tuple[Function, ...]:
     """All kernels, in an order in which the arrays written by called kernels are known."""
     known: dict[str, Function] = {}
     for module in modules():
-        nodes = [node for node in tree(module).body if isinstance(node, ast.FunctionDef)]
+        nodes = [
+            (node, _parts(node)) for node in tree(module).body if isinstance(node, ast.FunctionDef)
+        ]
         # within a module a function may call a later one, so two passes are needed
-        for node in nodes + nodes:
-            known[node.name] = _function(node, known)
+        for node, parts in nodes + nodes:
+            known[node.name] = _function(node, parts, known)
     return tuple(known.values())
 
 
-def _function(node: ast.FunctionDef, known: dict[str, Function]) -> Function:
+def _function(node: ast.FunctionDef, parts: list[ast.AST], known: dict[str, Function]) -> Function:
     arguments = tuple((a.arg, _annotation(a.annotation)) for a in node.args.args)
     returned = _annotation(node.returns)
     is_tuple = returned.startswith("tuple[")
     names = returned.removeprefix("tuple[").removesuffix("]").split(", ")
     results = () if returned == "None" else tuple(names)
-    written = frozenset(_written(node, known)) & {name for name, _ in arguments}
+    written = frozenset(_written(parts, known)) & {name for name, _ in arguments}
     return Function(
         node.name, arguments, results, is_tuple, written, ast.get_docstring(node) or ""
     )
@@ -56,17 +58,22 @@ def _annotation(node: ast.expr | None) -> str:
     return node.id
 
 
-def _written(node: ast.FunctionDef, known: dict[str, Function]) -> Iterator[str]:
+def _parts(node: ast.FunctionDef) -> list[ast.AST]:
+    """What of a function may write to arrays, or name a view of one."""
+    return [part for part in ast.walk(node) if isinstance(part, ast.Assign | ast.Call)]
+
+
+def _written(parts: list[ast.AST], known: dict[str, Function]) -> Iterator[str]:
     """Arrays that a function writes to, directly, through a view or through a call."""
     views: dict[str, str] = {}
-    for part in ast.walk(node):
+    for part in parts:
         if isinstance(part, ast.Assign):
             target = part.targets[0]
             if isinstance(target, ast.Name) and isinstance(part.value, ast.Subscript):
                 base = _base(part.value)
                 # a view of a view is a view of the array
                 views[target.id] = views.get(base, base)
-    for part in ast.walk(node):
+    for part in parts:
         if isinstance(part, ast.Assign) and isinstance(part.targets[0], ast.Subscript):
             name = _base(part.targets[0])
             yield views.get(name, name)
