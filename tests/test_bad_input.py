@@ -417,6 +417,7 @@ def test_the_user_chooses_the_rows(tmp_path: Path) -> None:
 FOLDERS = {
     "": "output is empty", "taken": "output taken: this is no folder, but a file",
     "taken/below": "Not a directory",
+    "astray": "output astray: this is no folder, but a link that leads nowhere; name another one",
 }
 
 
@@ -424,6 +425,7 @@ FOLDERS = {
 def test_folders_that_cannot_be(folder: str, tmp_path: Path) -> None:
     files(tmp_path)
     (tmp_path / "taken").write_text("x", encoding="utf-8")
+    (tmp_path / "astray").symlink_to("nowhere")
     before = sorted(tmp_path.iterdir())
     for command in ("plan", "simulate", "build"):
         line = refused(tmp_path, command, "mission.toml", "-o", folder)

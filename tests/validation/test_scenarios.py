@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from segfmu.errors import InputError
 from segfmu.validation.files.scenario_file import find, load_scenario
 from segfmu.validation.suite import Runner
 from tests.command import called
@@ -285,3 +286,13 @@ def test_expected_failures_are_right(runner: Runner, place: Path) -> None:
     easy = strict.replace("1e-30", "1.0")
     result = runner.run(load_scenario(written(place, easy)))
     assert result.passed and not result.right
+
+
+def test_a_folder_in_a_folder_of_scenarios_is_no_scenario(tmp_path: Path) -> None:
+    """One whose name ends as theirs was named as a file that cannot be read."""
+    (tmp_path / "old.toml").mkdir()
+    (tmp_path / "_base.toml").touch()
+    with pytest.raises(InputError, match="no scenario files"):
+        find([tmp_path])
+    (tmp_path / "s.toml").touch()
+    assert find([tmp_path]) == [tmp_path / "s.toml"]

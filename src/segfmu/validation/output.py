@@ -149,7 +149,8 @@ def _refusal(path: Path, reason: str) -> InputError:
         if path.is_dir():
             return InputError(f"output {path}: cannot write into this folder: {reason}")
         if os.path.lexists(path):
-            return InputError(f"output {path}: this is no folder, but a file; name another one")
+            what = "a file" if os.path.exists(path) else "a link that leads nowhere"
+            return InputError(f"output {path}: this is no folder, but {what}; name another one")
     except ValueError:
         # a zero byte
         pass

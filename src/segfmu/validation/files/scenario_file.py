@@ -159,7 +159,8 @@ def find(paths: Iterable[Path]) -> list[Path]:
         if not path.is_dir():
             found.append(path)
             continue
-        inside = sorted(p for p in path.glob("*.toml") if not p.name.startswith("_"))
+        every = (p for p in path.glob("*.toml") if not p.is_dir())
+        inside = sorted(p for p in every if not p.name.startswith("_"))
         if not inside:
             raise InputError(f"{path}: no scenario files (*.toml) in this folder")
         found += inside
