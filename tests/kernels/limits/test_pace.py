@@ -54,6 +54,10 @@ def test_faster_motions_that_cannot_be_planned() -> None:
     assert 0.55 < found <= 0.6
 
 
-def test_uses_that_jump() -> None:
-    found, trials = searched(lambda pace: 0.4 * pace if pace < 0.7 else 4.0, 1.0)
-    assert 0.69 < found < 0.7 and trials <= 41
+@pytest.mark.parametrize("after", [4.0, 1e300])
+def test_uses_that_jump(after: float) -> None:
+    found, trials = searched(lambda pace: 0.4 * pace if pace < 0.7 else after, 1.0)
+    assert 0.7 - 1e-7 < found < 0.7 and trials <= 41
+    # rounding of the place of the jump does not decide
+    near, _ = searched(lambda pace: 0.4 * pace if pace < 0.7 * (1.0 + 1e-10) else after, 1.0)
+    assert near == pytest.approx(found, rel=1e-15)

@@ -11870,6 +11870,10 @@ bool segfmu_next_pace(double use, array_double_1d pace)
     (*cspan_at(&pace, INT64_C(7))) = tried;
     (*cspan_at(&pace, INT64_C(8))) = use;
     (*cspan_at(&pace, INT64_C(9))) = (*cspan_at(&pace, INT64_C(9))) + 1.0;
+    if ((*cspan_at(&pace, INT64_C(4))) <= 1.0000001 * (*cspan_at(&pace, INT64_C(3))))
+    {
+        (*cspan_at(&pace, INT64_C(9))) = 40.0;
+    }
     if ((*cspan_at(&pace, INT64_C(9))) >= 40.0)
     {
         (*cspan_at(&pace, INT64_C(0))) = (*cspan_at(&pace, INT64_C(3)));

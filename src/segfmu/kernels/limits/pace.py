@@ -9,11 +9,16 @@ from math import exp, log
 from segfmu.kernels.limits.records import Pace
 from segfmu.kernels.numerics.numbers import NEVER
 
+# trials at most; where the bounds are kept up to a pace at which no plan is found any more, halving
+# ends where the two are as near as this: further on rounding would decide
+MOST_TRIALS = 40.0
+NEAR = 1.0000001
+
 
 def begin_pace(most: float, full: float, pace: 'float[:]') -> None:
     """Begin a search (Pace) at the motion as it is given, for paces up to `most`.
 
-    It ends where the largest use of a bound is between `full` and 1.
+    It ends where the largest use of a bound is between `full` and 1, or jumps.
     """
     pace[Pace.PACE] = 1.0
     pace[Pace.MOST] = most
@@ -37,7 +42,7 @@ def next_pace(use: float, pace: 'float[:]') -> bool:
     if use <= 1.0 + 1e-9:
         pace[Pace.KEEPS] = tried
         pace[Pace.KEPT_USE] = use
-        if tried >= pace[Pace.MOST] or use >= pace[Pace.FULL] or pace[Pace.TRIALS] >= 40.0:
+        if tried >= pace[Pace.MOST] or use >= pace[Pace.FULL] or pace[Pace.TRIALS] >= MOST_TRIALS:
             return False
     else:
         pace[Pace.EXCEEDS] = tried
@@ -48,7 +53,9 @@ def next_pace(use: float, pace: 'float[:]') -> bool:
     pace[Pace.LAST] = tried
     pace[Pace.LAST_USE] = use
     pace[Pace.TRIALS] = pace[Pace.TRIALS] + 1.0
-    if pace[Pace.TRIALS] >= 40.0:
+    if pace[Pace.EXCEEDS] <= NEAR * pace[Pace.KEEPS]:
+        pace[Pace.TRIALS] = MOST_TRIALS
+    if pace[Pace.TRIALS] >= MOST_TRIALS:
         pace[Pace.PACE] = pace[Pace.KEEPS]
     return pace[Pace.PACE] > 0.0
 
