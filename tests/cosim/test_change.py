@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ctypes import string_at
+from functools import partial
 
 import numpy as np
 import pytest
@@ -79,6 +80,26 @@ def test_texts_change_nothing_that_runs(one) -> None:
 def test_bad_changes_are_named(one, change: Change, words: str) -> None:
     with pytest.raises(InputError, match=words):
         one.run(stop_time=1.0, changes=[change])
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize(("values", "words"), [
+    ({"limits.scale": 2.0}, "limits.scale must be at most 1, got 2.0"),
+    ({"limits.scale": -0.5}, "limits.scale must be at least 0, got -0.5"),
+    ({"command.mode": 9}, "command.mode must be at most 6, got 9"),
+    ({"limits.scale": float("nan")}, "limits.scale must be at most 1, got nan"),
+])
+def test_values_outside_of_their_ranges_are_named_with_their_line(
+    native_fmus, fmi: int, values: dict[str, float], words: str
+) -> None:
+    """The FMU refused them in the run: an error without the line of the file."""
+    change = Change(0.5, "GantryFeedforward", values, "rec.csv, line 3")
+    with System(native_fmus[fmi], step=0.1) as system:
+        for call in (system.run, partial(system.check, {})):
+            with pytest.raises(InputError, match=f"^rec.csv, line 3: .*{words}$"):
+                call(stop_time=1.0, changes=[change])
+        kept = Change(0.5, "GantryFeedforward", {"limits.scale": 1.0, "command.mode": 6})
+        system.check({}, stop_time=1.0, changes=[kept])
 
 
 def test_connected_inputs_cannot_change(probes) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field
+from math import inf
 from typing import Any
 
 from numpy.typing import NDArray
@@ -12,6 +13,9 @@ from segfmu.arrays import as_tuple, finite_number, require_mapping, shown
 from segfmu.cosim.channel import Call, Channel
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError, meant
+
+# name of a variable, its least and its greatest value
+Range = tuple[str, float, float]
 
 
 @dataclass(frozen=True)
@@ -76,12 +80,12 @@ def due(
     Raises
     ------
     InputError
-        For an FMU or a variable that there is not, one that cannot change, or a time outside of
-        the run.
+        For an FMU or a variable that there is not, one that cannot change, a value outside of the
+        range that the FMU gives, or a time outside of the run.
     """
     names = list(units)
     found = []
-    right: set[tuple[str, tuple[str, ...]]] = set()
+    right: dict[tuple[str, tuple[str, ...]], list[Range]] = {}
     for change in as_tuple("changes", changes):
         if not isinstance(change, Change):
             raise InputError(f"changes must be segfmu.cosim.Change, got {shown(change)}")
@@ -101,11 +105,33 @@ def due(
             if own not in right:
                 for name in change.values:
                     _require_changeable(unit, change.fmu, name, connected)
-                right.add(own)
-            found.append(Due(time, names.index(change.fmu), unit.assignments(change.values)))
+                right[own] = list(_ranges(unit, change.values))
+            assignments = unit.assignments(change.values)
+            _require_within(change, right[own])
+            found.append(Due(time, names.index(change.fmu), assignments))
         except InputError as error:
             raise InputError(f"{change.origin}: {error}" if change.origin else str(error)) from None
     return sorted(found, key=lambda d: d.time)
+
+
+def _ranges(unit: Unit, names: Iterable[str]) -> Iterator[Range]:
+    """Of the variables of an FMU those with a least or a greatest value, and these."""
+    for name in names:
+        variable = unit.variables[name]
+        items = [int(item.value) for item in getattr(variable.declaredType, "items", None) or ()]
+        low = float(variable.min or min(items, default=-inf))
+        high = float(variable.max or max(items, default=inf))
+        if low > -inf or high < inf:
+            yield name, low, high
+
+
+def _require_within(change: Change, ranges: Iterable[Range]) -> None:
+    for name, low, high in ranges:
+        value = change.values[name]
+        # what else is no number is told with its type
+        if isinstance(value, int | float) and not low <= value <= high:
+            bound = f"least {low:.15g}" if value < low else f"most {high:.15g}"
+            raise InputError(f"{change.fmu}: {name} must be at {bound}, got {shown(value)}")
 
 
 def _require_changeable(
