@@ -59,8 +59,9 @@ def numbers(name: str) -> np.ndarray:
     return np.array([float(v) for v in CRANES[name][0]])
 
 
-# every crane at a time of its own, and in a soak at all
-PLACES = [(name, TIMES[i]) for i, name in enumerate(CRANES)]
+# cranes at a time of their own, but for the first one, whose demands are compared below; in a soak
+# all at all
+PLACES = [(name, TIMES[i]) for i, name in enumerate(CRANES) if i > 0]
 
 
 @pytest.mark.parametrize("place", [

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from segfmu import InfeasibleError, Limits, Waypoint, plan, verify
+from tests.campaign import SOAK
 
 LOOSE = 1e6
 
@@ -162,13 +163,14 @@ def test_levels_of_the_snap_are_near_the_optimum(
         assert max(used) == pytest.approx(1.0, abs=1e-9)
 
 
+@pytest.mark.soak
 def test_most_durations_beyond_an_instant_at_a_limit() -> None:
-    """Of 55; levels of the snap are not found for all of them (docs/benchmarks.md)."""
+    """Of 44, in a soak 55; levels of the snap are not found for all (docs/benchmarks.md)."""
     refused = 0
     for limits, state, optimum in INSTANTS:
         v, a, w, b, distance = state
         points = [Waypoint(0.0, v, a), Waypoint(distance, w, b)]
-        for factor in (1.0, 1.01, 1.1, 1.5, 3.0):
+        for factor in (1.0, 1.01, *([1.1] if SOAK else []), 1.5, 3.0):
             given = factor * 1.04 * optimum
             try:
                 found = plan(points, Limits(*limits), smoothness=len(limits), duration=given)
@@ -178,7 +180,7 @@ def test_most_durations_beyond_an_instant_at_a_limit() -> None:
                 continue
             assert found.duration == pytest.approx(given, rel=1e-9)
             assert verify(found).passed
-    assert refused <= 4
+    assert refused <= (4 if SOAK else 2)
 
 
 @pytest.mark.parametrize("n", [5, 6])

@@ -204,7 +204,7 @@ def test_a_dwell_of_a_kept_rest_begins_where_its_motion_ends(
             assert verify(found).passed
 
 
-@campaign(96, 2000)
+@campaign(48, 2000)
 @pytest.mark.parametrize("n", [2, 3, 4, 5])
 def test_random_plans_are_replanned(planner: Planner, n: int, count: int) -> None:
     tally = soak(n, count, seed=7, c=Replanner(planner))
