@@ -64,7 +64,9 @@ static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box,
 static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place);
 static void write_room(int64_t side, int64_t row, double local, double low, double high, array_double_2d coefficients, array_double_2d work);
 static double greatest_lack(int64_t count, double length, double known, array_double_2d work);
+static void begin_range(int64_t axis, double least, double most, array_double_2d ranges);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
+static double lean_of(double pull, array_double_2d ranges);
 static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work);
 static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges);
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
@@ -2995,42 +2997,53 @@ int64_t segfmu_path_excursion(array_double_2d led, array_double_2d positions, ar
     }
     return INT64_C(0);
 }
+static void begin_range(int64_t axis, double least, double most, array_double_2d ranges)
+{
+    int64_t row;
+    for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
+    {
+        (*cspan_at(&ranges, row, axis)) = least;
+        (*cspan_at(&ranges, row + INT64_C(1), axis)) = most;
+    }
+}
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges)
 {
     (*cspan_at(&ranges, row, axis)) = span_min((*cspan_at(&ranges, row, axis)), least);
     (*cspan_at(&ranges, row + INT64_C(1), axis)) = span_max((*cspan_at(&ranges, row + INT64_C(1), axis)), most);
 }
-void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges)
+static double lean_of(double pull, array_double_2d ranges)
 {
     int64_t axis;
-    int64_t row;
-    double least;
-    double most;
-    double pull;
-    double lean;
-    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
-    {
-        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
-        {
-            (*cspan_at(&ranges, row, axis)) = 1e+300;
-            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
-        }
-        sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
-        widen_range(INT64_C(0), axis, least, most, ranges);
-        widen_range(INT64_C(2), axis, least, most, ranges);
-    }
+    double result;
     widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
-    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
-    pull = gravity + least;
     if (pull <= 0.0)
     {
         for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
         {
             widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
         }
+        return -1.0;
+    }
+    result = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
+    return result;
+}
+void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges)
+{
+    int64_t axis;
+    double least;
+    double most;
+    double lean;
+    for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
+    {
+        sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
+        begin_range(axis, least, most, ranges);
+    }
+    sum_range(&least, &most, INT64_C(2), 0.0, 1.0, timing, coefficients, offsets, work);
+    lean = lean_of(gravity + least, ranges);
+    if (lean < 0.0)
+    {
         return;
     }
-    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
         sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, work);
@@ -3059,7 +3072,6 @@ static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64
 static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges)
 {
     int64_t axis;
-    int64_t row;
     double least;
     double most;
     double pull;
@@ -3068,26 +3080,15 @@ static void span_ranges(double length, int64_t width, array_double_2d work, arra
     double ahead;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        for (row = INT64_C(0); row < INT64_C(4); row += INT64_C(2))
-        {
-            (*cspan_at(&ranges, row, axis)) = 1e+300;
-            (*cspan_at(&ranges, row + INT64_C(1), axis)) = -1e+300;
-        }
         row_bounds(&least, &most, INT64_C(0) + axis, width, length, work);
-        widen_range(INT64_C(0), axis, least, most, ranges);
-        widen_range(INT64_C(2), axis, least, most, ranges);
+        begin_range(axis, least, most, ranges);
     }
-    widen_range(INT64_C(2), INT64_C(2), 0.0, 0.0, ranges);
     row_bounds(&pull, &most, INT64_C(3) + INT64_C(2), width - INT64_C(2), length, work);
-    if (pull <= 0.0)
+    lean = lean_of(pull, ranges);
+    if (lean < 0.0)
     {
-        for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
-        {
-            widen_range(INT64_C(2), axis, -1e+300, 1e+300, ranges);
-        }
         return;
     }
-    lean = span_max(-(*cspan_at(&ranges, INT64_C(0), INT64_C(2))), 0.0) / pull;
     for (axis = INT64_C(0); axis < INT64_C(2); axis += INT64_C(1))
     {
         for (i = INT64_C(0); i < width; i += INT64_C(1))

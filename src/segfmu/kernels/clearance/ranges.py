@@ -24,21 +24,12 @@ def path_ranges(
     Pieces as for `check_rope`, of `width` coefficients; work (2, width).
     """
     for axis in range(3):
-        for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
-            ranges[row, axis] = NEVER
-            ranges[row + 1, axis] = -NEVER
         least, most = sum_range(axis, 1.0, 0.0, timing, coefficients, offsets, work)
-        widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
-        widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-    # up to the trolley
-    widen_range(Ranges.ROPE_LOW, 2, 0.0, 0.0, ranges)
+        begin_range(axis, least, most, ranges)
     least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
-    pull = gravity + least
-    if pull <= 0.0:
-        for axis in range(2):
-            widen_range(Ranges.ROPE_LOW, axis, -NEVER, NEVER, ranges)
+    lean = lean_of(gravity + least, ranges)
+    if lean < 0.0:
         return
-    lean = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
     for axis in range(2):
         least, most = sum_range(axis, 1.0, lean, timing, coefficients, offsets, work)
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
@@ -47,19 +38,12 @@ def path_ranges(
 def span_ranges(length: float, width: int, work: 'float[:,:]', ranges: 'float[:,:]') -> None:
     """The same in an interval of a length [s], whose pieces `interval_pieces` has written."""
     for axis in range(3):
-        for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
-            ranges[row, axis] = NEVER
-            ranges[row + 1, axis] = -NEVER
         least, most = row_bounds(RopeWork.LOAD + axis, width, length, work)
-        widen_range(Ranges.LOAD_LOW, axis, least, most, ranges)
-        widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-    widen_range(Ranges.ROPE_LOW, 2, 0.0, 0.0, ranges)
+        begin_range(axis, least, most, ranges)
     pull, most = row_bounds(RopeWork.PULL + 2, width - 2, length, work)
-    if pull <= 0.0:
-        for axis in range(2):
-            widen_range(Ranges.ROPE_LOW, axis, -NEVER, NEVER, ranges)
+    lean = lean_of(pull, ranges)
+    if lean < 0.0:
         return
-    lean = max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
     for axis in range(2):
         for i in range(width):
             work[RopeWork.PRODUCTS, i] = work[RopeWork.LOAD + axis, i]
@@ -68,6 +52,27 @@ def span_ranges(length: float, width: int, work: 'float[:,:]', ranges: 'float[:,
             work[RopeWork.PRODUCTS, i] = work[RopeWork.PRODUCTS, i] + ahead
         least, most = row_bounds(RopeWork.PRODUCTS, width, length, work)
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
+
+
+def begin_range(axis: int, least: float, most: float, ranges: 'float[:,:]') -> None:
+    """Set the ranges of load and rope of an axis to what is between two values [m]."""
+    for row in range(Ranges.LOAD_LOW, Ranges.PLACE, 2):
+        ranges[row, axis] = least
+        ranges[row + 1, axis] = most
+
+
+def lean_of(pull: float, ranges: 'float[:,:]') -> float:
+    """The greatest way of the trolley ahead of the load over its acceleration [s2].
+
+    pull: the least acceleration that the rope gives [m/s2]. The rope goes up to the trolley. -1: it
+    may not pull, and may be anywhere.
+    """
+    widen_range(Ranges.ROPE_LOW, 2, 0.0, 0.0, ranges)
+    if pull <= 0.0:
+        for axis in range(2):
+            widen_range(Ranges.ROPE_LOW, axis, -NEVER, NEVER, ranges)
+        return -1.0
+    return max(-ranges[Ranges.LOAD_LOW, 2], 0.0) / pull
 
 
 def row_bounds(
