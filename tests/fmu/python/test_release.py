@@ -81,6 +81,9 @@ def test_slaves_do_not_load_what_cannot_be_finalised() -> None:
     # SciPy's _uarray frees its module's state twice when an embedded interpreter ends
     text = (
         "import sys, segfmu.fmu.gantry_crane.slave, segfmu.fmu.gantry_feedforward.slave\n"
+        "from segfmu import Crane\n"
+        "from segfmu.crane.feedback import design\n"
+        "design(Crane(1.0, 1.0, 1.0), sample_time=0.01, shortest=0.2, longest=0.9)\n"
         "print('scipy.linalg' in sys.modules, 'scipy._lib._uarray' in sys.modules)"
     )
     assert python(text) == "True False\n"
