@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from importlib.resources import files
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from segfmu.cosim import write_csv
@@ -15,6 +14,10 @@ from segfmu.cosim.result import replacing
 from segfmu.planning import Limits, Trajectory, Waypoint, plan
 from segfmu.validation.plots.style import COLOURS, SAMPLES, marks, panels_of, save
 from segfmu.validation.units import signal_units
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 # the paper's mission (24) on a rig as in section 4.4
 MISSION = Path(str(files("segfmu.validation"))) / "missions" / "paper_rig.toml"

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-
-from matplotlib.figure import Figure
+from typing import TYPE_CHECKING
 
 from segfmu.validation.plots.style import COLOURS, label, panels_of
 from segfmu.validation.scenario_result import Result
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 # %; larger margins are drawn at the edge
 MOST = 100.0

@@ -102,6 +102,7 @@ def _name(panel: Axes, names: list[tuple[str, FloatArray]], room: BboxBase) -> N
         for across, up in PLACES:
             style: dict[str, Any] = {
                 "ha": "left" if across > 0 else "right", "va": "bottom" if up > 0 else "top",
+                "usetex": False,
             }
             number = panel.annotate(
                 text, (x, y), xytext=(across, up), textcoords="offset points", **style

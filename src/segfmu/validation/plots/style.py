@@ -9,8 +9,10 @@ from pathlib import Path
 from textwrap import wrap
 from typing import Any
 
+from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from segfmu.cosim.result import replacing
 from segfmu.validation.texts import encodable
@@ -30,8 +32,13 @@ class Picture(Figure):
     """A figure that notebooks show and that no window is opened for."""
 
     def draw(self, renderer: Any) -> None:
-        """As of any figure; characters that its font does not have are boxes, without a warning."""
-        with warnings.catch_warnings():
+        """As of any figure; characters that its font does not have are boxes, without a warning.
+
+        Texts are none of LaTeX, also where the user's others are.
+        """
+        with warnings.catch_warnings(), rc_context({"text.usetex": False}):
+            for text in self.findobj(Text):
+                text.set_usetex(False)
             warnings.filterwarnings("ignore", r"Glyph \d+", UserWarning)
             super().draw(renderer)
 
