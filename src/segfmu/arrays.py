@@ -16,6 +16,8 @@ from segfmu.errors import InputError
 FloatArray = NDArray[np.float64]
 # one bound, or one per axis of which some may be None
 Range = ArrayLike | Sequence[float | None] | None
+# checked in each plan: a union made on the spot takes as long as the check
+SEQUENCES = (list, tuple)
 ABSENT = np.array(inf)
 ABSENT.flags.writeable = False
 # of a limit in the negative direction: as in the positive one
@@ -60,10 +62,11 @@ def finite_vector(name: str, value: ArrayLike) -> FloatArray:
     array = numbers(name, value)
     if array.ndim == 0:
         array = array.reshape(1)
-    if array.ndim != 1 or array.size == 0:
+    values = array.tolist()
+    if array.ndim > 1 or not values:
         raise InputError(f"{name} must be one number per axis, not an array of shape {array.shape}")
-    if not all(map(isfinite, array.tolist())):
-        raise InputError(f"{name} must be finite, got {array.tolist()}")
+    if not all(map(isfinite, values)):
+        raise InputError(f"{name} must be finite, got {values}")
     array.setflags(write=False)
     return array
 
@@ -200,7 +203,7 @@ def lower_values(name: str, value: Range) -> FloatArray:
 
 def _replaced(value: Any, absent: float) -> Any:
     """A value with a number in place of None."""
-    if isinstance(value, list | tuple):
+    if isinstance(value, SEQUENCES):
         return [absent if v is None else v for v in value]
     return absent if value is None else value
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
+from operator import attrgetter
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +25,7 @@ from segfmu.errors import InputError
 NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # in the negative direction
 LOWER = ("velocity_min", "acceleration_min")
+_upper: Callable[[object], tuple[FloatArray, ...]] = attrgetter(*NAMES)
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
 
 
@@ -69,13 +72,12 @@ class Limits(Frozen):
         acceleration_min: Range = None,
     ) -> None:
         given = (velocity, acceleration, jerk, snap, crackle, pop)
-        found = {
-            name: limit_values(f"limits.{name}", value, required=i < 2)
-            for i, (name, value) in enumerate(zip(NAMES, given, strict=True))
-        }
+        found = {}
+        for i, (name, value) in enumerate(zip(NAMES, given, strict=True)):
+            found[name] = limit_values(f"limits.{name}", value, required=i < len(LOWER))
         for name, least in zip(LOWER, (velocity_min, acceleration_min), strict=True):
             found[name] = lower_values(f"limits.{name}", least)
-        sizes = {v.size for v in found.values() if v.ndim == 1}
+        sizes = {v.size for v in found.values() if v.ndim}
         if len(sizes) > 1:
             raise InputError(f"limits have different numbers of axes: {sorted(sizes)}")
         vars(self).update(found)
@@ -89,7 +91,7 @@ class Limits(Frozen):
         return f"Limits({', '.join(shown)})"
 
     def _all(self) -> tuple[FloatArray, ...]:
-        return tuple(getattr(self, name) for name in NAMES)
+        return _upper(self)
 
     def _kept(self) -> dict[int | tuple[int, int], FloatArray]:
         """Tables that have been made, by the number of axes, or that and the smoothness."""
@@ -132,9 +134,9 @@ class Limits(Frozen):
 
     def _lower_table(self, axes: int) -> FloatArray:
         found = np.empty((axes, len(LOWER)))
-        for i, (name, values) in enumerate(zip(LOWER, self._lower(), strict=True)):
-            _require_axes(name, values, axes)
-            upper = getattr(self, name[:-4])
+        sides = zip(self._lower(), self._all(), strict=False)
+        for i, (values, upper) in enumerate(sides):
+            _require_axes(LOWER[i], values, axes)
             found[:, i] = upper if values is SAME else np.where(np.isinf(values), upper, -values)
         found.setflags(write=False)
         return found
@@ -172,18 +174,19 @@ class Limits(Frozen):
 
     def _table(self, axes: int, smoothness: int) -> FloatArray:
         table = np.zeros((axes, smoothness + 1))
-        for i, (name, values) in enumerate(zip(NAMES, self._all(), strict=True)):
+        for i, values in enumerate(self._all()):
             if values is ABSENT:
                 continue
-            _require_axes(name, values, axes)
+            _require_axes(NAMES[i], values, axes)
             if i <= smoothness:
                 table[:, i] = values
             elif limited(values):
                 raise InputError(
-                    f"limits.{name} cannot be kept with smoothness {smoothness}, which leaves this "
-                    f"derivative unbounded; raise smoothness to {i} or omit the limit"
+                    f"limits.{NAMES[i]} cannot be kept with smoothness {smoothness}, which leaves "
+                    f"this derivative unbounded; raise smoothness to {i} or omit the limit"
                 )
-        table[table == inf] = 0.0
+        if inf in table.ravel().tolist():
+            table[table == inf] = 0.0
         table.setflags(write=False)
         return table
 
@@ -193,7 +196,7 @@ def _of_axis(values: FloatArray, axis: int) -> float:
 
 
 def _require_axes(name: str, values: FloatArray, axes: int) -> None:
-    if values.ndim == 1 and values.size not in (1, axes):
+    if values.ndim and values.size not in (1, axes):
         raise InputError(
             f"limits.{name} has {values.size} values for {axes} axes; "
             "give one value, or one per axis"

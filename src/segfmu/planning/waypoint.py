@@ -9,7 +9,15 @@ from math import isnan
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, Frozen, as_index, finite_number, finite_vector, shown
+from segfmu.arrays import (
+    SEQUENCES,
+    FloatArray,
+    Frozen,
+    as_index,
+    finite_number,
+    finite_vector,
+    shown,
+)
 from segfmu.errors import InputError
 
 DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
@@ -77,35 +85,30 @@ class Waypoint(Frozen):
         dwell: float = 0.0,
     ) -> None:
         values = finite_vector("position", position)
-        zeros = _zeros(values.size)
-        states = zip(
-            DERIVATIVES, (velocity, acceleration, jerk, snap, crackle, pop), strict=True
-        )
-        vectors = []
-        for i, (name, given) in enumerate(states):
+        axes = values.size
+        vectors = dict.fromkeys(DERIVATIVES, _zeros(axes))
+        states = velocity, acceleration, jerk, snap, crackle, pop
+        settled = True
+        for i, (name, given) in enumerate(zip(DERIVATIVES, states, strict=True)):
             if given is None:
-                vector = zeros
-            elif i < FREE:
-                vector = _state(name, given, values.size)
-            else:
-                vector = finite_vector(name, given)
-            if vector.size != values.size:
+                continue
+            chosen = i < FREE
+            vector = _state(name, given, axes) if chosen else finite_vector(name, given)
+            if vector.size != axes:
                 raise InputError(
-                    f"{name} needs one value per axis, as position has them: {values.size}, got "
+                    f"{name} needs one value per axis, as position has them: {axes}, got "
                     f"{vector.size}"
                 )
-            vectors.append(vector)
+            vectors[name] = vector
+            settled = settled and (chosen or not vector.any())
         rest = finite_number("dwell", dwell)
         if rest < 0.0:
             raise InputError(f"dwell must be a time >= 0 s, got {shown(dwell)}")
-        planned = np.empty((values.size, 1 + FREE))
-        for i, vector in enumerate((values, *vectors[:FREE])):
-            planned[:, i] = vector
-        planned.setflags(write=False)
+        rows = np.array((values, vectors["velocity"], vectors["acceleration"]))
+        rows.setflags(write=False)
         vars(self).update(
-            zip(DERIVATIVES, vectors, strict=True), position=values, dwell=rest, axes=values.size,
-            planned=planned, free=any(map(isnan, planned.ravel().tolist())),
-            settled=all(v is zeros or not v.any() for v in vectors[FREE:]),
+            vectors, position=values, dwell=rest, axes=axes, planned=rows.T,
+            free=any(map(isnan, rows.ravel().tolist())), settled=settled,
         )
 
     def state(self, order: int) -> FloatArray:
@@ -129,15 +132,15 @@ def _zeros(axes: int) -> FloatArray:
 
 def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
     """Finite numbers; NaN for a free state."""
+    if isinstance(given, np.ndarray) and given.dtype.hasobject:
+        given = given.tolist()
     if isinstance(given, str):
         if given != "free":
             raise InputError(f'{name} must be numbers or "free", got {shown(given)}')
         vector = np.full(axes, np.nan)
         vector.flags.writeable = False
         return vector
-    if isinstance(given, np.ndarray) and given.dtype == object:
-        given = given.tolist()
-    if not isinstance(given, list | tuple) or not any(v is None for v in given):
+    if not isinstance(given, SEQUENCES) or not any(v is None for v in given):
         return finite_vector(name, given)
     try:
         vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()
