@@ -18094,16 +18094,16 @@ static int64_t member_distance(double* result_0_0001, double* result_1, array_do
     v = (*cspan_at(&family, INT64_C(0)));
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    t1 = (*cspan_at(&family, INT64_C(26)));
-    hold1 = (*cspan_at(&family, INT64_C(27)));
-    level1 = (*cspan_at(&family, INT64_C(28)));
-    hold2 = (*cspan_at(&family, INT64_C(29)));
-    level2 = (*cspan_at(&family, INT64_C(30)));
-    t3 = (*cspan_at(&family, INT64_C(31)));
+    t1 = (*cspan_at(&family, INT64_C(27)));
+    hold1 = (*cspan_at(&family, INT64_C(28)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    hold2 = (*cspan_at(&family, INT64_C(30)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    t3 = (*cspan_at(&family, INT64_C(32)));
     segfmu_ramp_duration(&basis, &slope, fabs(level2 - level1), axis);
-    t2 = basis * (*cspan_at(&family, INT64_C(32)));
-    basis = basis + (*cspan_at(&family, INT64_C(33))) * (t2 - basis);
-    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
+    t2 = basis * (*cspan_at(&family, INT64_C(33)));
+    basis = basis + (*cspan_at(&family, INT64_C(34))) * (t2 - basis);
+    if ((*cspan_at(&family, INT64_C(16))) != 0.0)
     {
         (*result_0_0001) = t1 + hold1 + t2 + hold2 + t3;
         (*result_1) = 0.0;
@@ -18139,14 +18139,14 @@ static int64_t second_level(double* result_0, double* result_1, double* result_2
     double slope;
     double gain;
     b = (*cspan_at(&family, INT64_C(3)));
-    last_ramp = (*cspan_at(&family, INT64_C(7)));
+    last_ramp = (*cspan_at(&family, INT64_C(8)));
     hold = 0.0;
     t = p;
     if (p >= last_ramp)
     {
         t = last_ramp;
         hold = p - last_ramp;
-        level = -(*cspan_at(&family, INT64_C(5)));
+        level = -(*cspan_at(&family, INT64_C(7)));
     }
     else
     {
@@ -18189,7 +18189,7 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
     a = (*cspan_at(&family, INT64_C(1)));
     second_level(&level2, &t3, &hold2, &gain, p, family, axis);
     low = span_max(0.0, span_max(a, level2));
-    near = (*cspan_at(&family, INT64_C(26)));
+    near = (*cspan_at(&family, INT64_C(27)));
     solve_level(&t1, &hold1, &level1, gain, a, level2, low, (*cspan_at(&family, INT64_C(6))), near, axis);
     if (hold1 < 0.0)
     {
@@ -18197,12 +18197,12 @@ static int64_t canonical_member(double* result_0, double* result_1, double p, ar
         (*result_1) = 0.0;
         return 0;
     }
-    (*cspan_at(&family, INT64_C(26))) = t1;
-    (*cspan_at(&family, INT64_C(27))) = hold1;
-    (*cspan_at(&family, INT64_C(28))) = level1;
-    (*cspan_at(&family, INT64_C(29))) = hold2;
-    (*cspan_at(&family, INT64_C(30))) = level2;
-    (*cspan_at(&family, INT64_C(31))) = t3;
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
     member_distance(result_0, result_1, family, axis);
     return 0;
 }
@@ -19099,19 +19099,19 @@ static double set_loop(array_double_1d problem, array_double_1d axis, array_doub
     (*cspan_at(&family, INT64_C(1))) = sign * a;
     (*cspan_at(&family, INT64_C(2))) = sign * w;
     (*cspan_at(&family, INT64_C(3))) = sign * b;
-    (*cspan_at(&family, INT64_C(15))) = 0.0;
-    (*cspan_at(&family, INT64_C(16))) = sign * (*cspan_at(&problem, INT64_C(4)));
+    (*cspan_at(&family, INT64_C(16))) = 0.0;
+    (*cspan_at(&family, INT64_C(17))) = sign * (*cspan_at(&problem, INT64_C(4)));
     top = side_limit(INT64_C(2), sign, axis);
     bottom = side_limit(INT64_C(2), -sign, axis);
     (*cspan_at(&family, INT64_C(4))) = top;
     (*cspan_at(&family, INT64_C(5))) = bottom;
-    (*cspan_at(&family, INT64_C(12))) = v;
-    (*cspan_at(&family, INT64_C(13))) = 0.0;
-    (*cspan_at(&family, INT64_C(14))) = 0.5 - 0.5 * sign;
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, top - sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, bottom + sign * a, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(10)), &slope, top - sign * b, axis);
-    segfmu_ramp_duration(cspan_at(&family, INT64_C(11)), &slope, bottom + sign * b, axis);
+    (*cspan_at(&family, INT64_C(13))) = v;
+    (*cspan_at(&family, INT64_C(14))) = 0.0;
+    (*cspan_at(&family, INT64_C(15))) = 0.5 - 0.5 * sign;
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(9)), &slope, top - sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(10)), &slope, bottom + sign * a, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(11)), &slope, top - sign * b, axis);
+    segfmu_ramp_duration(cspan_at(&family, INT64_C(12)), &slope, bottom + sign * b, axis);
     return sign * missing;
 }
 static int64_t level_from(double* result_0_0001, double* result_1_0001, double* result_2_0001, double a, double time, double up, double down, array_double_1d family, array_double_1d axis)
@@ -19183,15 +19183,15 @@ static double set_point(double place, double radius, array_double_1d family, arr
     }
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(8))), (*cspan_at(&family, INT64_C(9))), family, axis);
-    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(10))), (*cspan_at(&family, INT64_C(11))), family, axis);
+    level_from(&t1, &hold1, &level1, a, p_sign * radius * (1.0 - part), (*cspan_at(&family, INT64_C(9))), (*cspan_at(&family, INT64_C(10))), family, axis);
+    level_from(&t3, &hold2, &level2, b, q_sign * radius * part, (*cspan_at(&family, INT64_C(11))), (*cspan_at(&family, INT64_C(12))), family, axis);
     segfmu_ramp_duration(&t2, &slope, fabs(level2 - level1), axis);
-    (*cspan_at(&family, INT64_C(26))) = t1;
-    (*cspan_at(&family, INT64_C(27))) = hold1;
-    (*cspan_at(&family, INT64_C(28))) = level1;
-    (*cspan_at(&family, INT64_C(29))) = hold2;
-    (*cspan_at(&family, INT64_C(30))) = level2;
-    (*cspan_at(&family, INT64_C(31))) = t3;
+    (*cspan_at(&family, INT64_C(27))) = t1;
+    (*cspan_at(&family, INT64_C(28))) = hold1;
+    (*cspan_at(&family, INT64_C(29))) = level1;
+    (*cspan_at(&family, INT64_C(30))) = hold2;
+    (*cspan_at(&family, INT64_C(31))) = level2;
+    (*cspan_at(&family, INT64_C(32))) = t3;
     gain = 0.5 * ((a + level1) * t1 + (level1 + level2) * t2 + (level2 + b) * t3);
     gain = gain + level1 * hold1 + level2 * hold2;
     result = gain - ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))));
@@ -19267,8 +19267,8 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     double mean;
     double stretch;
     error = set_point(place, radius, family, axis);
-    level1 = (*cspan_at(&family, INT64_C(28)));
-    level2 = (*cspan_at(&family, INT64_C(30)));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
     segfmu_ramp_duration(&fastest, &slope, fabs(level2 - level1), axis);
     mean = 0.5 * (level1 + level2);
     if (fastest <= 0.0)
@@ -19279,15 +19279,15 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     {
         stretch = 1.0 - error / (mean * fastest);
     }
-    else if (((*cspan_at(&family, INT64_C(15))) != 0.0) && (radius == 0.0) && (error == 0.0))
+    else if (((*cspan_at(&family, INT64_C(16))) != 0.0) && (radius == 0.0) && (error == 0.0))
     {
-        stretch = (*cspan_at(&family, INT64_C(16))) / fastest;
+        stretch = (*cspan_at(&family, INT64_C(17))) / fastest;
     }
     else
     {
         return 0;
     }
-    (*cspan_at(&family, INT64_C(32))) = stretch;
+    (*cspan_at(&family, INT64_C(33))) = stretch;
     return stretch >= 1.0;
 }
 static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
@@ -19317,7 +19317,7 @@ static int64_t canonical_value(double* result_0_0001, double* result_1, double p
     double duration;
     double y;
     canonical_member(&duration, &y, p, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
+    if ((*cspan_at(&family, INT64_C(16))) != 0.0)
     {
         (*result_0_0001) = duration;
         (*result_1) = duration;
@@ -19343,7 +19343,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     double value;
     double duration;
     double error;
-    target = (*cspan_at(&family, INT64_C(16)));
+    target = (*cspan_at(&family, INT64_C(17)));
     newest = upper;
     e_newest = f_upper - target;
     other = lower;
@@ -19351,7 +19351,7 @@ static double bracketed_root(double lower, double upper, double f_lower, double 
     before = lower;
     e_before = e_other;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
-    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
+    if ((*cspan_at(&family, INT64_C(16))) != 0.0)
     {
         speed = 0.0;
     }
@@ -19393,7 +19393,7 @@ static int64_t highest_member(double* result_0_0001, double* result_1_0001, doub
     canonical_value(&f_q, &duration, q, family, axis);
     for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
-        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(16))))
+        if (span_max(f_p, f_q) >= (*cspan_at(&family, INT64_C(17))))
         {
             break;
         }
@@ -19437,7 +19437,7 @@ static double rising_member(double f_start, double end, array_double_1d family, 
     double p;
     double highest;
     double result;
-    target = (*cspan_at(&family, INT64_C(16)));
+    target = (*cspan_at(&family, INT64_C(17)));
     step = end / INT64_C(8);
     before = f_start;
     f_lower = f_start;
@@ -19469,9 +19469,9 @@ static void note_near(double y, double duration, array_double_1d family, array_d
     double speed;
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2))));
     speed = speed + (fabs((*cspan_at(&family, INT64_C(1)))) + fabs((*cspan_at(&family, INT64_C(3))))) * duration;
-    if (fabs(y - (*cspan_at(&family, INT64_C(16)))) <= saving(axis) * speed * duration)
+    if (fabs(y - (*cspan_at(&family, INT64_C(17)))) <= saving(axis) * speed * duration)
     {
-        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
+        (*cspan_at(&family, INT64_C(21))) = INT64_C(2);
     }
 }
 static int64_t first_window(double* result_0, double* result_1, double f_start, double t_zero, array_double_1d family, array_double_1d axis)
@@ -19482,7 +19482,7 @@ static int64_t first_window(double* result_0, double* result_1, double f_start, 
     double end;
     double going_on;
     double p;
-    target = (*cspan_at(&family, INT64_C(16)));
+    target = (*cspan_at(&family, INT64_C(17)));
     canonical_value(&value, &duration, t_zero, family, axis);
     end = t_zero;
     going_on = t_zero;
@@ -19526,10 +19526,10 @@ static bool only_farther(array_double_1d family)
     {
         return 0;
     }
-    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(28)))) * (*cspan_at(&family, INT64_C(26)));
-    gain = gain + (*cspan_at(&family, INT64_C(28))) * (*cspan_at(&family, INT64_C(27)));
-    loss = 0.5 * ((*cspan_at(&family, INT64_C(30))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(31)));
-    loss = loss + (*cspan_at(&family, INT64_C(30))) * (*cspan_at(&family, INT64_C(29)));
+    gain = 0.5 * ((*cspan_at(&family, INT64_C(1))) + (*cspan_at(&family, INT64_C(29)))) * (*cspan_at(&family, INT64_C(27)));
+    gain = gain + (*cspan_at(&family, INT64_C(29))) * (*cspan_at(&family, INT64_C(28)));
+    loss = 0.5 * ((*cspan_at(&family, INT64_C(31))) + (*cspan_at(&family, INT64_C(3)))) * (*cspan_at(&family, INT64_C(32)));
+    loss = loss + (*cspan_at(&family, INT64_C(31))) * (*cspan_at(&family, INT64_C(30)));
     result = ((*cspan_at(&family, INT64_C(0))) + gain >= 0.0) || ((*cspan_at(&family, INT64_C(2))) - loss >= 0.0);
     return result;
 }
@@ -19543,7 +19543,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
     double duration;
     double result;
     samples = INT64_C(12);
-    span = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
+    span = span_max((*cspan_at(&family, INT64_C(8))), (*cspan_at(&axis, INT64_C(13))));
     for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
     {
         if (only_farther(family))
@@ -19556,7 +19556,7 @@ static double shorter_member(double f_start, array_double_1d family, array_doubl
         {
             return -1.0;
         }
-        if (value <= (*cspan_at(&family, INT64_C(16))))
+        if (value <= (*cspan_at(&family, INT64_C(17))))
         {
             result = bracketed_root(p, 0.0, value, f_start, family, axis);
             return result;
@@ -19577,7 +19577,7 @@ static void note_near_gain(array_double_1d family, array_double_1d axis)
     level_gain(&first, &least, low, a, b, axis);
     if ((*cspan_at(&family, INT64_C(2))) - (*cspan_at(&family, INT64_C(0))) >= (1.0 - saving(axis)) * least)
     {
-        (*cspan_at(&family, INT64_C(20))) = INT64_C(2);
+        (*cspan_at(&family, INT64_C(21))) = INT64_C(2);
     }
 }
 static double second_window(double t_zero, array_double_1d family, array_double_1d axis)
@@ -19587,7 +19587,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
     double duration;
     int64_t i;
     double result;
-    upper = (*cspan_at(&family, INT64_C(7)));
+    upper = (*cspan_at(&family, INT64_C(8)));
     canonical_value(&value, &duration, upper, family, axis);
     for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
     {
@@ -19608,7 +19608,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     double f_upper;
     double duration;
     double result;
-    upper = span_max((*cspan_at(&family, INT64_C(7))), (*cspan_at(&axis, INT64_C(13))));
+    upper = span_max((*cspan_at(&family, INT64_C(8))), (*cspan_at(&axis, INT64_C(13))));
     if (upper <= lower)
     {
         upper = 2.0 * lower;
@@ -19616,7 +19616,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
     {
         canonical_value(&f_upper, &duration, upper, family, axis);
-        if (f_upper >= (*cspan_at(&family, INT64_C(16))))
+        if (f_upper >= (*cspan_at(&family, INT64_C(17))))
         {
             result = bracketed_root(lower, upper, f_lower, f_upper, family, axis);
             return result;
@@ -19638,7 +19638,7 @@ static double canonical_search(array_double_1d family, array_double_1d axis)
     double t_zero;
     double slope;
     double p;
-    target = (*cspan_at(&family, INT64_C(16)));
+    target = (*cspan_at(&family, INT64_C(17)));
     v = (*cspan_at(&family, INT64_C(0)));
     w = (*cspan_at(&family, INT64_C(2)));
     canonical_value(&f_lower, &duration, 0.0, family, axis);
@@ -19701,18 +19701,18 @@ static double member_search(array_double_1d family, array_double_1d axis)
     double outside;
     bool found;
     double result;
-    target = (*cspan_at(&family, INT64_C(16)));
+    target = (*cspan_at(&family, INT64_C(17)));
     passed = INT64_C(0);
     begin = INT64_C(0);
     lower = -1.0;
     f_lower = 0.0;
     whole = (*cspan_at(&family, INT64_C(6))) == (*cspan_at(&family, INT64_C(4)));
-    if (whole && ((int64_t)((*cspan_at(&family, INT64_C(17)))) > INT64_C(0)))
+    if (whole && ((int64_t)((*cspan_at(&family, INT64_C(18)))) > INT64_C(0)))
     {
-        passed = (int64_t)((*cspan_at(&family, INT64_C(17))));
-        begin = (int64_t)((*cspan_at(&family, INT64_C(22))));
-        lower = (*cspan_at(&family, INT64_C(23)));
-        f_lower = (*cspan_at(&family, INT64_C(24)));
+        passed = (int64_t)((*cspan_at(&family, INT64_C(18))));
+        begin = (int64_t)((*cspan_at(&family, INT64_C(23))));
+        lower = (*cspan_at(&family, INT64_C(24)));
+        f_lower = (*cspan_at(&family, INT64_C(25)));
         if ((begin > INT64_C(12) + INT64_C(1)) && (lower >= 0.0) && (f_lower > target))
         {
             return -1.0;
@@ -19721,14 +19721,14 @@ static double member_search(array_double_1d family, array_double_1d axis)
     p = 0.0;
     for (i = begin; i < INT64_C(36); i += INT64_C(1))
     {
-        p = (*cspan_at(&family, INT64_C(18))) * i * i / (INT64_C(12) * INT64_C(12));
+        p = (*cspan_at(&family, INT64_C(19))) * i * i / (INT64_C(12) * INT64_C(12));
         canonical_value(&value, &duration, p, family, axis);
         upper = p;
         f_upper = value;
         inside = duration >= 0.0;
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
-            outside = (*cspan_at(&family, INT64_C(18))) * (i - INT64_C(1)) * (i - INT64_C(1)) / (INT64_C(12) * INT64_C(12));
+            outside = (*cspan_at(&family, INT64_C(19))) * (i - INT64_C(1)) * (i - INT64_C(1)) / (INT64_C(12) * INT64_C(12));
             lower = window_edge(INT64_C(24), p, outside, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
@@ -19739,17 +19739,17 @@ static double member_search(array_double_1d family, array_double_1d axis)
         }
         found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
         found = found && (f_upper != f_lower);
-        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(17))))))
+        if (found && (passed == (int64_t)((*cspan_at(&family, INT64_C(18))))))
         {
             if (whole)
             {
-                (*cspan_at(&family, INT64_C(22))) = i + INT64_C(1);
-                (*cspan_at(&family, INT64_C(23))) = p;
+                (*cspan_at(&family, INT64_C(23))) = i + INT64_C(1);
+                (*cspan_at(&family, INT64_C(24))) = p;
                 if (!inside)
                 {
-                    (*cspan_at(&family, INT64_C(23))) = -1.0;
+                    (*cspan_at(&family, INT64_C(24))) = -1.0;
                 }
-                (*cspan_at(&family, INT64_C(24))) = f_upper;
+                (*cspan_at(&family, INT64_C(25))) = f_upper;
             }
             if (f_upper > f_lower)
             {
@@ -19796,7 +19796,7 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     w = (*cspan_at(&problem, INT64_C(2)));
     b = (*cspan_at(&problem, INT64_C(3)));
     distance = (*cspan_at(&problem, INT64_C(4)));
-    (*cspan_at(&family, INT64_C(12))) = v;
+    (*cspan_at(&family, INT64_C(13))) = v;
     if (reverse)
     {
         v = (*cspan_at(&problem, INT64_C(2)));
@@ -19826,33 +19826,34 @@ static void set_family(int64_t branch, array_double_1d problem, array_double_1d 
     (*cspan_at(&family, INT64_C(3))) = b;
     (*cspan_at(&family, INT64_C(4))) = top;
     (*cspan_at(&family, INT64_C(5))) = bottom;
-    (*cspan_at(&family, INT64_C(7))) = last_ramp;
-    (*cspan_at(&family, INT64_C(13))) = reverse;
-    (*cspan_at(&family, INT64_C(14))) = mirror;
-    (*cspan_at(&family, INT64_C(15))) = 0.0;
-    (*cspan_at(&family, INT64_C(16))) = distance;
-    (*cspan_at(&family, INT64_C(17))) = -1.0;
-    (*cspan_at(&family, INT64_C(26))) = -1.0;
-    (*cspan_at(&family, INT64_C(18))) = last_ramp;
-    (*cspan_at(&family, INT64_C(32))) = 1.0;
-    (*cspan_at(&family, INT64_C(33))) = 0.0;
-    (*cspan_at(&family, INT64_C(25))) = 0.0;
+    (*cspan_at(&family, INT64_C(7))) = bottom;
+    (*cspan_at(&family, INT64_C(8))) = last_ramp;
+    (*cspan_at(&family, INT64_C(14))) = reverse;
+    (*cspan_at(&family, INT64_C(15))) = mirror;
+    (*cspan_at(&family, INT64_C(16))) = 0.0;
+    (*cspan_at(&family, INT64_C(17))) = distance;
+    (*cspan_at(&family, INT64_C(18))) = -1.0;
+    (*cspan_at(&family, INT64_C(27))) = -1.0;
+    (*cspan_at(&family, INT64_C(19))) = last_ramp;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
+    (*cspan_at(&family, INT64_C(26))) = 0.0;
 }
 static void set_member(int64_t member, double time, bool by_time, array_double_1d family)
 {
-    (*cspan_at(&family, INT64_C(17))) = member;
-    (*cspan_at(&family, INT64_C(18))) = span_min(span_max((*cspan_at(&family, INT64_C(7))), 0.1 * time), time);
+    (*cspan_at(&family, INT64_C(18))) = member;
+    (*cspan_at(&family, INT64_C(19))) = span_min(span_max((*cspan_at(&family, INT64_C(8))), 0.1 * time), time);
     if (by_time)
     {
-        (*cspan_at(&family, INT64_C(15))) = 1.0;
-        (*cspan_at(&family, INT64_C(16))) = time;
+        (*cspan_at(&family, INT64_C(16))) = 1.0;
+        (*cspan_at(&family, INT64_C(17))) = time;
     }
 }
 static bool same_members(int64_t branch, array_double_1d problem, array_double_1d family)
 {
     double a;
     double b;
-    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(25))) != 0.0))
+    if ((span_floor_mod(branch, INT64_C(2)) == INT64_C(0)) || ((*cspan_at(&family, INT64_C(26))) != 0.0))
     {
         return 0;
     }
@@ -19877,26 +19878,26 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
     int64_t count;
     a = (*cspan_at(&family, INT64_C(1)));
     b = (*cspan_at(&family, INT64_C(3)));
-    level1 = (*cspan_at(&family, INT64_C(28)));
-    level2 = (*cspan_at(&family, INT64_C(30)));
-    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(26))), axis);
-    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(27))));
+    level1 = (*cspan_at(&family, INT64_C(29)));
+    level2 = (*cspan_at(&family, INT64_C(31)));
+    count = append_ramp(phases, INT64_C(0), a, level1, (*cspan_at(&family, INT64_C(27))), axis);
+    count = append_hold(phases, count, level1, (*cspan_at(&family, INT64_C(28))));
     before = count;
     count = append_change(phases, count, level1, level2, axis);
-    if ((count > before) && ((*cspan_at(&family, INT64_C(32))) > 1.0))
+    if ((count > before) && ((*cspan_at(&family, INT64_C(33))) > 1.0))
     {
         basis = (*cspan_at(&phases, before, INT64_C(1)));
-        duration = basis * (*cspan_at(&family, INT64_C(32)));
+        duration = basis * (*cspan_at(&family, INT64_C(33)));
         (*cspan_at(&phases, before, INT64_C(0))) = duration;
-        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(33))) * (duration - basis);
+        (*cspan_at(&phases, before, INT64_C(1))) = basis + (*cspan_at(&family, INT64_C(34))) * (duration - basis);
     }
-    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(29))));
-    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(31))), axis);
-    if ((*cspan_at(&family, INT64_C(13))) != 0.0)
+    count = append_hold(phases, count, level2, (*cspan_at(&family, INT64_C(30))));
+    count = append_ramp(phases, count, level2, b, (*cspan_at(&family, INT64_C(32))), axis);
+    if ((*cspan_at(&family, INT64_C(14))) != 0.0)
     {
         reverse_phases(phases, INT64_C(0), count);
     }
-    if ((*cspan_at(&family, INT64_C(14))) != 0.0)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         mirror_phases(phases, count);
     }
@@ -19904,28 +19905,24 @@ static int64_t write_member(array_double_2d phases, array_double_1d family, arra
 }
 static int64_t merged_form(array_double_2d phases, double highest, array_double_1d family, array_double_1d axis)
 {
-    double bottom;
+    double lowest;
     double slope;
     double p;
     double duration;
     double y;
     int64_t result;
     (*cspan_at(&family, INT64_C(6))) = highest;
-    bottom = (*cspan_at(&axis, INT64_C(9) + INT64_C(1)));
-    if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
-    {
-        bottom = (*cspan_at(&axis, INT64_C(3)));
-    }
+    lowest = (*cspan_at(&family, INT64_C(5)));
     if (((*cspan_at(&family, INT64_C(0))) == (*cspan_at(&family, INT64_C(2)))) && ((*cspan_at(&family, INT64_C(1))) == -(*cspan_at(&family, INT64_C(3)))))
     {
-        bottom = span_max(span_min(bottom, highest), (*cspan_at(&family, INT64_C(1))));
+        lowest = span_max(span_min(lowest, highest), (*cspan_at(&family, INT64_C(1))));
     }
-    if (bottom != (*cspan_at(&family, INT64_C(5))))
+    if (lowest != (*cspan_at(&family, INT64_C(7))))
     {
-        (*cspan_at(&family, INT64_C(5))) = bottom;
-        segfmu_ramp_duration(cspan_at(&family, INT64_C(7)), &slope, (*cspan_at(&family, INT64_C(3))) + bottom, axis);
+        (*cspan_at(&family, INT64_C(7))) = lowest;
+        segfmu_ramp_duration(cspan_at(&family, INT64_C(8)), &slope, (*cspan_at(&family, INT64_C(3))) + lowest, axis);
     }
-    if ((*cspan_at(&family, INT64_C(17))) < 0.0)
+    if ((*cspan_at(&family, INT64_C(18))) < 0.0)
     {
         p = canonical_search(family, axis);
     }
@@ -19978,12 +19975,12 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
     double excess;
     peak_limit = (*cspan_at(&axis, INT64_C(2)));
     other_limit = (*cspan_at(&axis, INT64_C(9)));
-    if ((*cspan_at(&family, INT64_C(14))) != 0.0)
+    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
     {
         peak_limit = (*cspan_at(&axis, INT64_C(9)));
         other_limit = (*cspan_at(&axis, INT64_C(2)));
     }
-    v = (*cspan_at(&family, INT64_C(12)));
+    v = (*cspan_at(&family, INT64_C(13)));
     rounding = 1e-12 * fastest_velocity(axis);
     margin = 1e-09 * fastest_velocity(axis);
     too_low = span_max((*cspan_at(&family, INT64_C(1))), span_max((*cspan_at(&family, INT64_C(3))), 0.001 * outside));
@@ -19994,7 +19991,7 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
         segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, span_max_int(count, INT64_C(0)), v, 0.0, axis);
         peak = highest;
         other = -lowest;
-        if ((*cspan_at(&family, INT64_C(14))) != 0.0)
+        if ((*cspan_at(&family, INT64_C(15))) != 0.0)
         {
             peak = -lowest;
             other = highest;
@@ -20083,7 +20080,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
         error = 0.0;
         if (count > INT64_C(0))
         {
-            v = (*cspan_at(&family, INT64_C(12)));
+            v = (*cspan_at(&family, INT64_C(13)));
             error = velocity_excess(phases, count, v, 0.0, axis) + margin;
         }
         if ((count > INT64_C(0)) && (error <= margin))
@@ -20143,18 +20140,18 @@ static int64_t tempered_form(array_double_2d phases, array_double_1d family, arr
     {
         return count;
     }
-    v = (*cspan_at(&family, INT64_C(12)));
+    v = (*cspan_at(&family, INT64_C(13)));
     e_outside = velocity_excess(phases, count, v, slowest_velocity(axis), axis) + margin;
     if (e_outside <= margin + rounding)
     {
         return count;
     }
-    (*cspan_at(&family, INT64_C(25))) = 1.0;
+    (*cspan_at(&family, INT64_C(26))) = 1.0;
     outside = 0.0;
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         level = (*cspan_at(&phases, i, INT64_C(2)));
-        if ((*cspan_at(&family, INT64_C(13))) != (*cspan_at(&family, INT64_C(14))))
+        if ((*cspan_at(&family, INT64_C(14))) != (*cspan_at(&family, INT64_C(15))))
         {
             level = -level;
         }
@@ -20524,8 +20521,8 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     double y;
     double error;
     double speed;
-    (*cspan_at(&family, INT64_C(32))) = 1.0;
-    (*cspan_at(&family, INT64_C(33))) = 0.0;
+    (*cspan_at(&family, INT64_C(33))) = 1.0;
+    (*cspan_at(&family, INT64_C(34))) = 0.0;
     if ((arc == INT64_C(0)) || (arc == INT64_C(6)))
     {
         if (loop_radius(arc, place, accuracy, missing, largest, family, axis) < 0.0)
@@ -20537,7 +20534,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     else if (arc == INT64_C(5))
     {
-        (*cspan_at(&family, INT64_C(33))) = 0.25 * place;
+        (*cspan_at(&family, INT64_C(34))) = 0.25 * place;
         if (!slow_middle(0.0, 0.0, family, axis))
         {
             (*result_0) = -1.0;
@@ -20549,7 +20546,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     {
         if ((arc == INT64_C(3)) || (arc == INT64_C(4)))
         {
-            (*cspan_at(&family, INT64_C(33))) = 1.0;
+            (*cspan_at(&family, INT64_C(34))) = 1.0;
         }
         part = 0.5 * place - 1.0;
         side = 0.0;
@@ -20569,9 +20566,9 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         }
     }
     member_distance(&duration, &y, family, axis);
-    if ((*cspan_at(&family, INT64_C(15))) != 0.0)
+    if ((*cspan_at(&family, INT64_C(16))) != 0.0)
     {
-        error = duration - (*cspan_at(&family, INT64_C(16)));
+        error = duration - (*cspan_at(&family, INT64_C(17)));
         if (fabs(error) <= 1e-15 * duration)
         {
             error = 0.0;
@@ -20580,7 +20577,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
         (*result_1) = error;
         return 0;
     }
-    error = y - (*cspan_at(&family, INT64_C(16)));
+    error = y - (*cspan_at(&family, INT64_C(17)));
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
     if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
     {
@@ -20657,7 +20654,7 @@ static int64_t scanned_excess(double* result_0, double* result_1, int64_t arc, d
         return 0;
     }
     small = 0.02 * duration;
-    if ((*cspan_at(&family, INT64_C(15))) == 0.0)
+    if ((*cspan_at(&family, INT64_C(16))) == 0.0)
     {
         speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
         small = small * speed;
@@ -20806,8 +20803,8 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     family = span_row(&work, INT64_C(98));
     target = (*cspan_at(&problem, INT64_C(5)));
     missing = set_loop(problem, axis, family);
-    (*cspan_at(&family, INT64_C(15))) = 1.0;
-    (*cspan_at(&family, INT64_C(16))) = target;
+    (*cspan_at(&family, INT64_C(16))) = 1.0;
+    (*cspan_at(&family, INT64_C(17))) = target;
     for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
     {
         sample = INT64_C(0);
@@ -23932,11 +23929,11 @@ static bool shorter_solution(array_double_1d problem, array_double_1d axis, arra
         sign = -sign;
         if (attempt == INT64_C(2))
         {
-            if ((*cspan_at(&work, INT64_C(98), INT64_C(19))) >= duration)
+            if ((*cspan_at(&work, INT64_C(98), INT64_C(20))) >= duration)
             {
                 break;
             }
-            scale = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
+            scale = (*cspan_at(&work, INT64_C(98), INT64_C(20)));
         }
         set_alternating(sign, 0.35 * scale / q, work);
         if (solve_rotated(problem, axis, work))
@@ -24519,7 +24516,7 @@ static int64_t shortest_between(int64_t attempt, array_double_2d phases, array_d
             duration = valid_duration(trial, count, problem, axis);
             if (attempt == INT64_C(0))
             {
-                (*cspan_at(&family, INT64_C(19))) = span_min((*cspan_at(&family, INT64_C(19))), total_duration(trial, count));
+                (*cspan_at(&family, INT64_C(20))) = span_min((*cspan_at(&family, INT64_C(20))), total_duration(trial, count));
             }
             if (duration >= 0.0)
             {
@@ -25273,9 +25270,9 @@ static double short_window(double duration, array_double_1d problem, array_doubl
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     boundary_problem(problem, axis, span_row(&work, INT64_C(59)));
-    (*cspan_at(&work, INT64_C(98), INT64_C(20))) = INT64_C(0);
-    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = 0.0;
-    (*cspan_at(&work, INT64_C(98), INT64_C(19))) = 1e+300;
+    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = INT64_C(0);
+    (*cspan_at(&work, INT64_C(98), INT64_C(22))) = 0.0;
+    (*cspan_at(&work, INT64_C(98), INT64_C(20))) = 1e+300;
     (*cspan_at(&work, INT64_C(101), INT64_C(12))) = 0.0;
 }
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -25311,7 +25308,7 @@ static int64_t usual_braked(array_double_1d asked, array_double_1d axis, array_d
     int64_t count;
     double window;
     int64_t result;
-    free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(20)));
     status = braked_ramps(INT64_C(0), asked, axis, phases, work);
     longest = usual_duration(asked, axis);
     if (status > INT64_C(0))
@@ -25366,7 +25363,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     double most;
     double far;
     int64_t status;
-    free = (*cspan_at(&work, INT64_C(98), INT64_C(19)));
+    free = (*cspan_at(&work, INT64_C(98), INT64_C(20)));
     status = usual_braked(asked, axis, phases, work);
     if ((status <= INT64_C(0)) || ((*cspan_at(&axis, INT64_C(38))) == 0.0))
     {
@@ -25387,7 +25384,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         status = touching_form(status, phases, asked, axis, work);
     }
-    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = total_duration(phases, status) > most;
+    (*cspan_at(&work, INT64_C(98), INT64_C(22))) = total_duration(phases, status) > most;
     return status;
 }
 static bool misses_little(double free, double duration, array_double_1d asked, array_double_1d axis)
@@ -25433,10 +25430,10 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
         return INT64_C(0);
     }
     count = shortest_between(INT64_C(0), phases, asked, axis, work);
-    missed = (int64_t)((*cspan_at(&family, INT64_C(20))));
+    missed = (int64_t)((*cspan_at(&family, INT64_C(21))));
     if (count == INT64_C(0))
     {
-        free = (*cspan_at(&family, INT64_C(19)));
+        free = (*cspan_at(&family, INT64_C(20)));
         count = shortest_braked(asked, axis, phases, work);
         if ((*cspan_at(&work, INT64_C(101), INT64_C(11))) == 0.0)
         {
@@ -25476,7 +25473,7 @@ static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, ar
     {
         missed = INT64_C(2);
     }
-    (*cspan_at(&family, INT64_C(20))) = missed;
+    (*cspan_at(&family, INT64_C(21))) = missed;
     return count;
 }
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work)
@@ -26824,8 +26821,7 @@ static double profile_time(array_double_2d lead)
     int64_t order;
     double value;
     int64_t count;
-    int64_t i;
-    double duration;
+    double result;
     state = span_row(&lead, INT64_C(9));
     target = span_row(&lead, INT64_C(18));
     problem = span_row(&lead, INT64_C(19));
@@ -26857,12 +26853,8 @@ static double profile_time(array_double_2d lead)
     {
         return -1.0;
     }
-    duration = 0.0;
-    for (i = INT64_C(0); i < count; i += INT64_C(1))
-    {
-        duration = duration + (*cspan_at(&phases, i, INT64_C(0)));
-    }
-    return duration;
+    result = total_duration(phases, count);
+    return result;
 }
 static void time_anew(int64_t order, array_double_2d lead)
 {
@@ -27211,11 +27203,6 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
             }
         }
         search_ends(order, within_0001, limits, lead, timing, coefficients);
-        if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (order != INT64_C(1)))
-        {
-            (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 0.0;
-            search_ends(order, within_0001, limits, lead, timing, coefficients);
-        }
         if (leads_in(within_0001, lead))
         {
             break;
@@ -29363,12 +29350,12 @@ static int64_t plan_with_share(int64_t axis, double share, array_double_2d axes,
             (*cspan_at(&report, INT64_C(4))) = own_side(INT64_C(1), sign, span_row(&axes, axis));
             return status;
         }
-        missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20)))));
-        slow = span_max(slow, (*cspan_at(&work, INT64_C(98), INT64_C(21))));
+        missed = span_max_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(21)))));
+        slow = span_max(slow, (*cspan_at(&work, INT64_C(98), INT64_C(22))));
         note_shortest(time, span_row(&axes, axis), span_matrix(&cells, j));
     }
-    (*cspan_at(&work, INT64_C(98), INT64_C(20))) = missed;
-    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = slow;
+    (*cspan_at(&work, INT64_C(98), INT64_C(21))) = missed;
+    (*cspan_at(&work, INT64_C(98), INT64_C(22))) = slow;
     return INT64_C(0);
 }
 static double axis_duration(int64_t axis, array_double_2d axes, array_double_3d cells)
@@ -29442,7 +29429,7 @@ static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, a
         {
             share = moderate_share();
         }
-        missed = span_min_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20)))));
+        missed = span_min_int(missed, (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(21)))));
     }
     if (missed == INT64_C(2))
     {
@@ -29491,7 +29478,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     int64_t status;
     share = usual_share(span_row(&axes, axis));
     status = plan_with_share(axis, share, axes, cells, work);
-    missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(20))));
+    missed = (int64_t)((*cspan_at(&work, INT64_C(98), INT64_C(21))));
     if ((*cspan_at(&axes, axis, INT64_C(14))) == 0.0)
     {
         return status;
@@ -29504,7 +29491,7 @@ static int64_t plan_axis(int64_t axis, array_double_2d axes, array_double_3d cel
     {
         share = plan_steeper(missed, axis, axes, cells, work);
     }
-    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(21))) != 0.0))
+    if ((status == INT64_C(0)) && ((*cspan_at(&work, INT64_C(98), INT64_C(22))) != 0.0))
     {
         plan_thoroughly(share, axis, axes, cells, work);
     }

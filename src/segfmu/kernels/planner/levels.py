@@ -188,7 +188,7 @@ def second_level(
     if p >= last_ramp:
         t = last_ramp
         hold = p - last_ramp
-        level = -family[Family.BOTTOM]
+        level = -family[Family.LOWEST]
     else:
         change, slope = ramp_change(p, axis)
         level = b - change

@@ -76,6 +76,7 @@ def set_family(
     family[Family.B] = b
     family[Family.TOP] = top
     family[Family.BOTTOM] = bottom
+    family[Family.LOWEST] = bottom
     family[Family.LAST_RAMP] = last_ramp
     family[Family.REVERSE] = reverse
     family[Family.MIRROR] = mirror
@@ -125,14 +126,12 @@ def merged_form(
     highest [m/s2] bounds the first level; the second one alike if the problem is its own reverse.
     """
     family[Family.HIGHEST] = highest
-    bottom = axis[Axis.LOWER + 1]
-    if family[Family.REVERSE] != family[Family.MIRROR]:
-        bottom = axis[Axis.ACCELERATION]
+    lowest = family[Family.BOTTOM]
     if family[Family.V] == family[Family.W] and family[Family.A] == -family[Family.B]:
-        bottom = max(min(bottom, highest), family[Family.A])
-    if bottom != family[Family.BOTTOM]:
-        family[Family.BOTTOM] = bottom
-        family[Family.LAST_RAMP], slope = ramp_duration(family[Family.B] + bottom, axis)
+        lowest = max(min(lowest, highest), family[Family.A])
+    if lowest != family[Family.LOWEST]:
+        family[Family.LOWEST] = lowest
+        family[Family.LAST_RAMP], slope = ramp_duration(family[Family.B] + lowest, axis)
     if family[Family.MEMBER] < 0.0:
         p = canonical_search(family, axis)
     else:

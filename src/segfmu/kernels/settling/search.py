@@ -177,10 +177,6 @@ def search_stages(
             if i > 1 and lead[LeadWork.BEST, Lead.TIME] == before:
                 break
         search_ends(order, within, limits, lead, timing, coefficients)
-        if lead[LeadWork.BEST, Lead.TIME] < 0.0 and order != LeadStage.VELOCITY:
-            # ramps alone may not get there
-            lead[LeadWork.BEST, Lead.RAMPS] = 0.0
-            search_ends(order, within, limits, lead, timing, coefficients)
         if leads_in(within, lead):
             break
         steep = STEEPER * steep

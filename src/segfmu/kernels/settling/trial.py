@@ -3,7 +3,7 @@
 from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.planner.phases import total_duration
 from segfmu.kernels.planner.profile import plain_profile, shortest_ramps
-from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
 from segfmu.kernels.settling.level import settle_over_level
@@ -65,10 +65,7 @@ def profile_time(lead: 'float[:,:]') -> float:
         count = plain_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
     if count < 0:
         return -1.0
-    duration = 0.0
-    for i in range(count):
-        duration = duration + phases[i, Phase.DURATION]
-    return duration
+    return total_duration(phases, count)
 
 
 def time_anew(order: int, lead: 'float[:,:]') -> None:
