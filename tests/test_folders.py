@@ -8,10 +8,14 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from segfmu import folders
+from segfmu.cosim import write_csv
 from segfmu.errors import InputError
+from segfmu.fmu.placing import placing
+from segfmu.validation.output import folder
 
 LEFT = """
 import shutil, sys
@@ -72,3 +76,19 @@ def test_the_place_of_temporary_files_is_named(
     with pytest.raises(InputError, match=r"temporary files cannot be written in .*nowhere: No such"
                        r".*; the variable TMPDIR can name another folder"):
         folders.make_folder()
+
+
+def test_folders_are_made_below_each_other_however_many(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    deep = Path(*["d"] * 1200)
+    try:
+        write_csv(deep / "rows.csv", np.zeros(1, [("time", float)]))
+        with placing([deep / "a" / "b" / "one.fmu"]) as work:
+            (work / "one.fmu").touch()
+        assert folder(deep / "c") == deep / "c"
+        assert {path.name for path in deep.iterdir()} == {"rows.csv", "a", "c"}
+    finally:
+        # what Python of some versions removes step by step within each other
+        subprocess.run(["rm", "-rf", "d"], check=True)

@@ -17,6 +17,19 @@ from segfmu.errors import InputError, SegfmuError
 _present: set[tuple[Path, int]] = set()
 
 
+def make_folders(folder: Path) -> None:
+    """Make a folder that may be there, and those above it: one after the other, however many.
+
+    Raises
+    ------
+    OSError
+        If one cannot be made.
+    """
+    for place in (*reversed(folder.parents), folder):
+        if not place.is_dir():
+            place.mkdir(exist_ok=True)
+
+
 def make_folder(parent: Path | None = None) -> Path:
     """A new temporary folder, in `parent` or in the system's place for them.
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.errors import InputError
-from segfmu.folders import work_folder
+from segfmu.folders import make_folders, work_folder
 
 
 @contextmanager
@@ -38,7 +38,7 @@ def replacing(path: Path) -> Iterator[Path]:
         place = Path(os.path.realpath(path))
         # others may write to the same file
         temporary = place.with_name(f"{place.name}.{token_hex(4)}.part")
-        place.parent.mkdir(parents=True, exist_ok=True)
+        make_folders(place.parent)
         try:
             yield temporary
             os.replace(temporary, place)

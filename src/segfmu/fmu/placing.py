@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from segfmu.errors import BuildError
-from segfmu.folders import work_folder
+from segfmu.folders import make_folders, work_folder
 
 
 @contextmanager
@@ -23,7 +23,7 @@ def placing(targets: Sequence[Path]) -> Iterator[Path]:
     """
     place = folder = targets[0].parent
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folders(folder)
         _require_files(targets)
         with work_folder(folder) as work:
             yield work

@@ -17,7 +17,7 @@ from segfmu.arrays import shown
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
 from segfmu.errors import InputError, SegfmuError
-from segfmu.folders import make_folder, remove_folder
+from segfmu.folders import make_folder, make_folders, remove_folder
 from segfmu.planning import Trajectory
 
 if TYPE_CHECKING:
@@ -135,7 +135,7 @@ def folder(name: str | Path) -> Path:
     """
     path = folder_path(name)
     try:
-        path.mkdir(parents=True, exist_ok=True)
+        make_folders(path)
         remove_folder(make_folder(path))
     except (OSError, ValueError) as error:
         reason = (error.strerror if isinstance(error, OSError) else None) or str(error)

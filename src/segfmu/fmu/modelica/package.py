@@ -19,7 +19,7 @@ from segfmu.fmu.modelica.wrapper import wrapper
 from segfmu.fmu.models import named
 from segfmu.fmu.pairs import PAIRS
 from segfmu.fmu.standard.spec import Spec
-from segfmu.folders import work_folder
+from segfmu.folders import make_folders, work_folder
 
 LIBRARY = files("segfmu.fmu.modelica").joinpath("library")
 CLASSES = ("Examples", *(pair.coupled[0] for pair in PAIRS), "PlainCrane", "Interfaces",
@@ -58,11 +58,11 @@ def write_package(
     usual = (own for models in PAIRS for own in (models.planner(WAYPOINTS), models.plant()))
     every = [given.get(own.name, own) for own in usual]
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folders(folder)
         with work_folder(folder) as work:
             for name, text in package([named(own.name).native_spec(own) for own in every]).items():
                 path = work / name
-                path.parent.mkdir(parents=True, exist_ok=True)
+                make_folders(path.parent)
                 path.write_bytes(text)
             for archive in archives:
                 _unpack(archive, work / FMUS / archive.stem)
@@ -107,7 +107,7 @@ def _place(work: Path, target: Path) -> None:
     for path in work.rglob("*"):
         if path.is_file():
             place = target / path.relative_to(work)
-            place.parent.mkdir(parents=True, exist_ok=True)
+            make_folders(place.parent)
             os.replace(path, place)
 
 

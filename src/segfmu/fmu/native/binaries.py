@@ -23,7 +23,7 @@ from segfmu.errors import BuildError
 from segfmu.fmu.native.compilers import PLATFORMS, TARGETS, Compiler
 from segfmu.fmu.native.compilers import compiler as compiler_for
 from segfmu.fmu.native.packed import unpack
-from segfmu.folders import temporary_files, work_folder
+from segfmu.folders import make_folders, temporary_files, work_folder
 
 # the one translation unit of an FMU, which includes its other sources
 UNIT = "fmu.c"
@@ -180,7 +180,7 @@ def _read(path: Path) -> bytes | None:
 def _keep(path: Path, made: bytes) -> None:
     """Put an entry into the cache; without one, the next build compiles again."""
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folders(path.parent)
         with work_folder(path.parent) as beside:
             whole = beside / path.name
             whole.write_bytes(hashlib.sha256(made).digest() + made)
