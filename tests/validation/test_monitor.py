@@ -24,7 +24,8 @@ def margin(values: list[float], crane: CraneFile | None = None, **keys: object) 
     rows["a"] = rows["bridge.velocity"] = values
     signal = {} if keys.get("kind") == "drives" else {"signal": "a"}
     criterion = CriterionTable.model_validate({"name": "c", "bound": 1.0} | signal | keys)
-    return judge(criterion, Signals(rows), KNOWN, crane or CraneFile.model_validate(MASSES)).margin
+    crane = crane or CraneFile.model_validate(MASSES)
+    return judge(criterion, Signals(rows), KNOWN, crane, {}).margin
 
 
 @pytest.mark.parametrize(("window", "expected"), [

@@ -13,9 +13,12 @@ import numpy as np
 import pytest
 
 from segfmu.errors import InputError
+from segfmu.validation.campaigns.campaign import load_campaign
 from segfmu.validation.files.scenario_file import load_scenario
 from segfmu.validation.files.scenario_tables import CriterionTable
+from segfmu.validation.signal_table import column_units
 from segfmu.validation.suite import Runner
+from segfmu.validation.suite_files import write_results
 from segfmu.validation.suites import validate
 from tests.command import called
 from tests.compiler import require_native
@@ -28,6 +31,16 @@ SUITE = MODELS / "scenarios"
 HEAD = f'name = "s"\nmission = "{(MODELS / "inteco.toml").as_posix()}"\nstep = 0.005\n'
 VELOCITY = '[crane]\ndrive = "velocity"\n[simulation]\nfeedback = false\n'
 CRITERION = '[[criteria]]\nname = "c"\nsignal = "error.load.norm"\nbound = 0.005\n'
+CAMPAIGN = """
+name = "c"
+scenarios = ["s.toml"]
+[sampling]
+kind = "grid"
+[[factors]]
+name = "gain"
+key = "fmus.probe.values.gain"
+range = [0.1, 0.9]
+"""
 
 
 @pytest.fixture(scope="module")
@@ -123,12 +136,12 @@ against = "without feedback"
     assert found.findings == expected.findings and len(found.findings) == 3
 
 
-def third(folder: Path, sink: str) -> str:
+def third(folder: Path, sink: str, fmi: int = 2) -> str:
     """The probe, whose output is the bridge's velocity and the time, as a table of a scenario."""
     return f"""
 [[fmus]]
 name = "probe"
-path = "{build(folder, 2).name}"
+path = "{build(folder, fmi).name}"
 connections = [
     ["GantryFeedforward", "velocity.bridge", "probe", "x"],
     ["probe", "y", "GantryCrane", "{sink}"],
@@ -149,6 +162,25 @@ def test_a_third_fmu_takes_part(runner: Runner, tmp_path: Path) -> None:
     assert np.abs(wind).max() > 5.0
     assert rows["y"] == pytest.approx(wind, abs=1e-12)
     assert rows["power.wind"] == pytest.approx(wind * rows["load.velocity.x"], abs=1e-9)
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_criteria_tell_the_units_of_a_third_fmu(fmi: int, runner: Runner, tmp_path: Path) -> None:
+    own = HEAD + VELOCITY + CRITERION + third(tmp_path, "wind.x", fmi)
+    bounded = '[[criteria]]\nname = "third"\nsignal = {}\nbound = 100.0\n'
+    path = tmp_path / "s.toml"
+    path.write_text(own + bounded.format('"y"'), encoding="utf-8")
+    scenario = load_scenario(path)
+    result = runner.run(scenario)
+    assert result.findings[-1].unit == "V" == scenario.units["probe.y"]
+    assert scenario.units["GantryCrane.sway.total"] == "rad"
+    (tmp_path / "c.toml").write_text(CAMPAIGN, encoding="utf-8")
+    assert load_campaign(tmp_path / "c.toml").units == {"c": "m", "third": "V"}
+    write_results(tmp_path, [result])
+    assert column_units(tmp_path / "s.csv")["y"] == "V"
+    path.write_text(own + bounded.format('["y", "sway.total"]'), encoding="utf-8")
+    with pytest.raises(InputError, match=r"criteria\.2: .* y is in V, sway.total in rad"):
+        load_scenario(path)
 
 
 def test_a_third_fmu_has_a_step_of_its_own(runner: Runner, tmp_path: Path) -> None:

@@ -52,4 +52,4 @@ def test_units_follow_the_size(largest: float, unit: str, expected: tuple[float,
     ([], ""),
 ])
 def test_signals_of_different_units_are_told(names: list[str], told: str) -> None:
-    assert unlike(names) == told
+    assert unlike(names, signal_units()) == told

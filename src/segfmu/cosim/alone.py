@@ -74,11 +74,17 @@ def run_alone(
 
 
 def units_of(path: Path) -> dict[str, str]:
-    """Units of the variables of an FMU that `run_alone` takes, by name; empty ones are left out."""
-    from fmpy import read_model_description
+    """Units of the outputs of an FMU by name; empty ones are left out.
 
-    variables = read_model_description(str(path), validate=False).modelVariables
-    units = {v.name: v.unit or getattr(v.declaredType, "unit", None) for v in variables}
+    Raises
+    ------
+    InputError
+        If it is not a readable FMU.
+    """
+    from segfmu.cosim.load import describe
+
+    outputs = [v for v in describe(path).modelVariables if v.causality == "output"]
+    units = {v.name: v.unit or getattr(v.declaredType, "unit", None) for v in outputs}
     return {name: unit for name, unit in units.items() if unit}
 
 

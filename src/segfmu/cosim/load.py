@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -37,7 +39,7 @@ def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
     """
     folder = make_folder()
     try:
-        description = _describe(path, folder)
+        description = _unpacked(path, folder)
         kind = Unit2 if description.fmiVersion == "2.0" else Unit3
         return kind(folder, description, leads, name)
     except BaseException:
@@ -45,12 +47,36 @@ def load(path: Path, *, leads: bool = False, name: str | None = None) -> Unit:
         raise
 
 
-def _describe(path: Path, folder: Path) -> Any:
-    try:
+def describe(path: Path) -> Any:
+    """The description in an archive, as fmpy reads it.
+
+    Raises
+    ------
+    InputError
+        If it is not a readable FMU.
+    """
+    with _naming(path):
         found = path.stat()
-        description = _description(str(path), (found.st_ino, found.st_size, found.st_mtime_ns))
-        with temporary_files():
-            extract(str(path), unzipdir=str(folder), include=_runs)
+        return _description(str(path), (found.st_ino, found.st_size, found.st_mtime_ns))
+
+
+def _unpacked(path: Path, folder: Path) -> Any:
+    description = describe(path)
+    with _naming(path), temporary_files():
+        extract(str(path), unzipdir=str(folder), include=_runs)
+    version = description.fmiVersion
+    if version not in ("2.0", "3.0") or description.coSimulation is None:
+        raise InputError(
+            f"{path}: the master needs co-simulation of FMI 2.0 or 3.0, this is FMI {version}"
+        )
+    return description
+
+
+@contextmanager
+def _naming(path: Path) -> Iterator[None]:
+    """Name an archive in what goes wrong with it."""
+    try:
+        yield
     except InputError:
         raise
     except OSError as error:
@@ -60,12 +86,6 @@ def _describe(path: Path, folder: Path) -> Any:
     except Exception as error:
         # fmpy raises bare exceptions for descriptions it refuses
         raise InputError(f"{path}: not a valid FMU: {first_line(error)}") from None
-    version = description.fmiVersion
-    if version not in ("2.0", "3.0") or description.coSimulation is None:
-        raise InputError(
-            f"{path}: the master needs co-simulation of FMI 2.0 or 3.0, this is FMI {version}"
-        )
-    return description
 
 
 @lru_cache(maxsize=16)

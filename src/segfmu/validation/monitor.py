@@ -22,7 +22,6 @@ from segfmu.validation.files.crane_parameters import bounds
 from segfmu.validation.files.keys import DRIVES
 from segfmu.validation.files.scenario_tables import CriterionTable, moment
 from segfmu.validation.signal_table import read_table
-from segfmu.validation.units import signal_units
 
 # combinations of variables that have a name of their own
 DERIVED = {"error.load.horizontal": ("error.load.x", "error.load.y")}
@@ -106,7 +105,7 @@ class Signals:
 
 def judge(
     criterion: CriterionTable, rows: Signals, known: Mapping[str, float],
-    crane: CraneFile, nominal: Signals | None = None,
+    crane: CraneFile, units: Mapping[str, str], nominal: Signals | None = None,
 ) -> Finding:
     """Judge a run by one criterion.
 
@@ -119,6 +118,8 @@ def judge(
         Times of "start", "arrival" and "end" [s].
     crane : CraneFile
         Whose bounds of the drives are meant.
+    units : mapping
+        Of the variables of the run.
     nominal : Signals, optional
         The run that the bound is relative to.
 
@@ -146,7 +147,7 @@ def judge(
     margin = float(distances.max() if best else distances.min())
     return Finding(
         criterion.name, criterion.kind, title(criterion), bound, _rounded(margin, bound),
-        _unit(criterion),
+        _unit(criterion, units),
     )
 
 
@@ -163,13 +164,13 @@ def variables(criteria: Iterable[CriterionTable], crane: CraneFile) -> set[str]:
     return found
 
 
-def measure(criterion: CriterionTable) -> str:
+def measure(criterion: CriterionTable, units: Mapping[str, str]) -> str:
     """The unit of a criterion's bound and margin, or `SHARE`; empty where it is not known."""
-    return SHARE if criterion.kind == "drives" else _unit(criterion)
+    return SHARE if criterion.kind == "drives" else _unit(criterion, units)
 
 
-def _unit(criterion: CriterionTable) -> str:
-    return signal_units().get(_parts(criterion)[0], "")
+def _unit(criterion: CriterionTable, units: Mapping[str, str]) -> str:
+    return units.get(_parts(criterion)[0], "")
 
 
 def _rounded(margin: float, bound: float) -> float:

@@ -189,7 +189,7 @@ class Runner:
                 nominal[key] = Signals(self._rows(others[key](scenario), trajectory, known))
             crane = scenario.mission.simulated
             try:
-                yield judge(criterion, own, known, crane, nominal.get(key or ""))
+                yield judge(criterion, own, known, crane, scenario.units, nominal.get(key or ""))
             except InputError as error:
                 raise InputError(f"criterion {criterion.name}: {error}") from None
 

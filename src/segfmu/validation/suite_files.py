@@ -17,7 +17,7 @@ from segfmu.validation.files.scenario_file import Scenario
 from segfmu.validation.junit import add_requirements, add_test, plain, write_tests
 from segfmu.validation.requirements import of_results
 from segfmu.validation.scenario_result import Result
-from segfmu.validation.units import signal_units, with_unit
+from segfmu.validation.units import with_unit
 
 
 def write_results(folder: Path, results: Sequence[Result]) -> SuiteDocument:
@@ -28,11 +28,10 @@ def write_results(folder: Path, results: Sequence[Result]) -> SuiteDocument:
     InputError
         When a file cannot be written.
     """
-    units = signal_units()
     tables = _tables(results)
     for name, result in zip(tables, results, strict=True):
         if name is not None and result.rows is not None:
-            write_csv(folder / name, result.rows, units)
+            write_csv(folder / name, result.rows, result.scenario.units)
     document = suite_document(results, tables)
     with replacing(folder / "results.json") as path:
         path.write_text(text(document), encoding="utf-8")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from math import degrees
+from pathlib import Path
 
 import numpy as np
 
@@ -46,6 +47,29 @@ def _units(models: tuple[Model, ...]) -> dict[str, str]:
     return {v.name: v.unit for spec in specs for v in spec.variables if v.unit}
 
 
+def run_units(fmus: Mapping[str, Path]) -> dict[str, str]:
+    """Units of the columns of a run in which further FMUs take part, by their names.
+
+    A column of which two FMUs have the name is "fmu.name".
+
+    Raises
+    ------
+    InputError
+        For a file that is not a readable FMU.
+    """
+    from segfmu.cosim.alone import units_of
+
+    found = signal_units()
+    if fmus:
+        for model in registered():
+            spec = model.spec()
+            found |= {f"{spec.name}.{v.name}": v.unit for v in spec.variables if v.unit}
+    for fmu, path in fmus.items():
+        own = units_of(path)
+        found |= own | {f"{fmu}.{name}": unit for name, unit in own.items()}
+    return found
+
+
 def with_unit(number: str, unit: str) -> str:
     """A number and its unit, which may be empty."""
     return f"{number} {unit}".rstrip()
@@ -56,9 +80,8 @@ def labelled(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def unlike(names: Iterable[str]) -> str:
+def unlike(names: Iterable[str], units: Mapping[str, str]) -> str:
     """What tells that signals are in different units; empty where none is known to be."""
-    units = signal_units()
     found = [(name, units[name]) for name in names if name in units]
     other = next(((name, unit) for name, unit in found if unit != found[0][1]), None)
     return "" if other is None else f"{found[0][0]} is in {found[0][1]}, {other[0]} in {other[1]}"

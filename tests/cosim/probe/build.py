@@ -39,6 +39,7 @@ FLAGS = (
     ("flag.out", "Boolean", "output", "discrete", None),
 )
 TEXTS = (("text", "String", "parameter", "fixed", ""),)
+UNITS = '<UnitDefinitions><Unit name="V"/></UnitDefinitions>'
 NARROW = ("Float32", "Int8", "Int64")
 KINDS3 = {"Real": "Float64", "Integer": "Int32"}
 
@@ -84,14 +85,14 @@ def _description(fmi: int) -> str:
         return (
             '<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="2.0" '
             'modelName="Probe2" guid="probe"><CoSimulation modelIdentifier="Probe2" '
-            f'canHandleVariableCommunicationStepSize="true"/><ModelVariables>{body}'
+            f'canHandleVariableCommunicationStepSize="true"/>{UNITS}<ModelVariables>{body}'
             "</ModelVariables><ModelStructure/></fmiModelDescription>"
         )
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n<fmiModelDescription fmiVersion="3.0" '
         'modelName="Probe3" instantiationToken="probe"><CoSimulation modelIdentifier="Probe3" '
         'canHandleVariableCommunicationStepSize="true" mightReturnEarlyFromDoStep="true" '
-        f'hasEventMode="true"/><ModelVariables>{body}</ModelVariables><ModelStructure/>'
+        f'hasEventMode="true"/>{UNITS}<ModelVariables>{body}</ModelVariables><ModelStructure/>'
         "</fmiModelDescription>"
     )
 
@@ -103,6 +104,7 @@ def _variable(
     shared = f'name="{name}" valueReference="{reference}" causality="{causality}" '
     shared += f'variability="{variability}"'
     given = "" if start is None else f' start="{start}"'
+    given += ' unit="V"' if name == "y" else ""
     if fmi == 2:
         return f"<ScalarVariable {shared}><{kind}{given}/></ScalarVariable>"
     kind = KINDS3.get(kind, kind)

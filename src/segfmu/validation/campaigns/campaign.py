@@ -16,7 +16,6 @@ from segfmu.validation.campaigns.sampling import Sample, levels, samples
 from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
 from segfmu.validation.files.scenario_file import Scenario, Source, build_scenario
-from segfmu.validation.files.scenario_tables import CriterionTable
 from segfmu.validation.monitor import measure
 from segfmu.validation.requirements import words
 from segfmu.validation.texts import require_utf8
@@ -148,7 +147,8 @@ def load_campaign(path: Path) -> Campaign:
     for place in (path, *(own.path for own in source.scenarios)):
         require_utf8(place)
     try:
-        files = [s.file for own in source.scenarios for s in _ends(own, source.file.factors)]
+        ends = [s for own in source.scenarios for s in _ends(own, source.file.factors)]
+        files = [scenario.file for scenario in ends]
         criteria = [criterion for file in files for criterion in file.criteria]
         names = tuple(dict.fromkeys(c.name for c in criteria))
         campaign = Campaign(
@@ -157,7 +157,7 @@ def load_campaign(path: Path) -> Campaign:
             tuple(dict.fromkeys(
                 (c.requirement, c.name, words(c)) for c in criteria if c.requirement is not None
             )),
-            _units(criteria),
+            _units(ends),
         )
         if campaign.most > MOST_RUNS:
             raise InputError(f"sampling: more than {MOST_RUNS} runs")
@@ -171,11 +171,12 @@ def load_campaign(path: Path) -> Campaign:
     return campaign
 
 
-def _units(criteria: Iterable[CriterionTable]) -> dict[str, str]:
+def _units(scenarios: Iterable[Scenario]) -> dict[str, str]:
     """Of margins by the names of criteria; none where scenarios have several."""
     found: dict[str, set[str]] = {}
-    for criterion in criteria:
-        found.setdefault(criterion.name, set()).add(measure(criterion))
+    for scenario in scenarios:
+        for criterion in scenario.file.criteria:
+            found.setdefault(criterion.name, set()).add(measure(criterion, scenario.units))
     return {name: units.pop() if len(units) == 1 else "" for name, units in found.items()}
 
 

@@ -16,6 +16,7 @@ from segfmu.validation.files.mission_file import build_mission, read_mission
 from segfmu.validation.files.reading import checked, merged, of_named, read
 from segfmu.validation.files.recording import Recording, load_recording
 from segfmu.validation.files.scenario_tables import CRANE, ScenarioFile
+from segfmu.validation.units import run_units, signal_units, unlike
 
 # keys whose lists are merged by the names of their tables
 NAMED = ("criteria", "fmus")
@@ -32,17 +33,21 @@ class Scenario:
     path : Path
         Its file.
     file : ScenarioFile
+from segfmu.validation.units import run_units, signal_units, unlike
         With what it inherits.
     mission : Mission
         With the scenario's changes.
     recordings : tuple of Recording or None
         By profile; None for one without a file.
+    units : mapping
+        Of the variables of its runs.
     """
 
     path: Path
     file: ScenarioFile
     mission: Mission
     recordings: tuple[Recording | None, ...] = ()
+    units: Mapping[str, str] = field(default_factory=signal_units)
 
 
 @dataclass(frozen=True, eq=False)
@@ -119,10 +124,16 @@ def build_scenario(source: Source, changes: Mapping[str, Any] | None = None) -> 
     for unit in file.fmus:
         if not Path(unit.path).is_file():
             raise InputError(f"{path}: fmus: {unit.path} of {unit.name} is no file")
+    units = run_units({unit.name: Path(unit.path) for unit in file.fmus})
+    for i, criterion in enumerate(file.criteria, 1):
+        if different := unlike(criterion.compared, units):
+            raise InputError(
+                f"{path}: criteria.{i}: signals of different units are not compared: {different}"
+            )
     recordings = _recordings(path, file)
     if any(r is not None and r.commands for r in recordings):
         require_gantry(mission.build_crane(), "commands")
-    return Scenario(path, file, mission, recordings)
+    return Scenario(path, file, mission, recordings, units)
 
 
 def _recordings(path: Path, file: ScenarioFile) -> tuple[Recording | None, ...]:

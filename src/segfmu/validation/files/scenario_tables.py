@@ -13,7 +13,6 @@ from pydantic import AfterValidator, BeforeValidator, Field, StrictBool, model_v
 
 from segfmu.errors import InputError
 from segfmu.validation.files.keys import Key, NotNegative, Number, Positive, Table, printable
-from segfmu.validation.units import unlike
 
 INSTANT = re.compile(r"(start|arrival|end)(?:\s*([+-])\s*(\d+\.?\d*(?:[eE][+-]?\d+)?))?")
 CRANE = "GantryCrane"
@@ -214,10 +213,13 @@ class CriterionTable(Table):
             raise ValueError(f"bound {self.bound:g} is below 0, which nothing is within")
         if isinstance(self.signal, list) and len(self.signal) < 2:
             raise ValueError("signal: a norm is one of at least two variables")
-        names = [self.signal] if isinstance(self.signal, str) else [*(self.signal or ())]
-        if different := unlike([*names, *([self.reference] if self.reference else [])]):
-            raise ValueError(f"signals of different units are not compared: {different}")
         return self
+
+    @property
+    def compared(self) -> list[str]:
+        """What is compared: the variables of the signal, and the reference."""
+        names = [self.signal] if isinstance(self.signal, str) else [*(self.signal or ())]
+        return [*names, *([self.reference] if self.reference else [])]
 
 
 SIGNALS = ("always", "eventually", "at", "settled", "tube")
