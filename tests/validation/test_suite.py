@@ -35,7 +35,7 @@ CAMPAIGN = """
 name = "c"
 scenarios = ["s.toml"]
 [sampling]
-kind = "grid"
+kind = "corners"
 [[factors]]
 name = "gain"
 key = "fmus.probe.values.gain"
