@@ -125,6 +125,23 @@ def test_a_column_that_no_fmu_has_is_told(runner: Runner, tmp_path: Path) -> Non
         runner.run(replace(scenario, recordings=(load_recording(path),)))
 
 
+@pytest.mark.parametrize(("column", "told"), [
+    ("command.modes", r"r\.csv: column command\.modes is no variable of .* mean command\.mode\?"),
+    ("bridge.position", r"r\.csv, line 3: GantryCrane: bridge\.position cannot change"),
+    ("velocity.bridge", r"r\.csv, line 3: GantryFeedforward: velocity\.bridge cannot change"),
+])
+def test_wrong_columns_are_told_before_there_are_fmus(
+    column: str, told: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "r.csv"
+    path.write_text(f"# lab\ntime,command.mode,{column}\n0,stop,0\n", encoding="utf-8")
+    with pytest.raises(InputError, match=told):
+        segfmu.simulate(
+            FOLDER / "lab" / "_mission.toml", commands=path, output=tmp_path / "out"
+        )
+    assert not (tmp_path / "out").exists()
+
+
 def test_a_crane_with_a_hook_follows_no_commands() -> None:
     with pytest.raises(InputError, match="a crane with a hook has no commands"):
         segfmu.simulate(

@@ -103,8 +103,7 @@ def due(
         own = change.fmu, tuple(change.values)
         try:
             if own not in right:
-                for name in change.values:
-                    _require_changeable(unit, change.fmu, name, connected)
+                require_changeable(change, unit.variables, connected)
                 right[own] = list(_ranges(unit, change.values))
             assignments = unit.assignments(change.values)
             _require_within(change, right[own])
@@ -134,18 +133,27 @@ def _require_within(change: Change, ranges: Iterable[Range]) -> None:
             raise InputError(f"{change.fmu}: {name} must be at {bound}, got {shown(value)}")
 
 
-def _require_changeable(
-    unit: Unit, owner: str, name: str, connected: Set[tuple[str, str]]
+def require_changeable(
+    change: Change, variables: Mapping[str, Any], connected: Set[tuple[str, str]]
 ) -> None:
-    variable = unit.variables.get(name)
-    if variable is None:
-        raise InputError(f"{owner} has no variable {name}{meant(name, unit.variables)}")
-    tunable = variable.causality == "parameter" and variable.variability == "tunable"
-    if variable.causality != "input" and not tunable:
-        raise InputError(
-            f"{owner}: {name} cannot change during a run, only inputs and tunable parameters can; "
-            "give it as a start value"
-        )
-    if (owner, name) in connected:
-        raise InputError(f"{owner}: {name} is connected, so a change of it would not last")
+    """Refuse a change of what cannot change; variables of the FMU have causality and variability.
+
+    Raises
+    ------
+    InputError
+        For the first name.
+    """
+    owner = change.fmu
+    for name in change.values:
+        variable = variables.get(name)
+        if variable is None:
+            raise InputError(f"{owner} has no variable {name}{meant(name, variables)}")
+        tunable = variable.causality == "parameter" and variable.variability == "tunable"
+        if variable.causality != "input" and not tunable:
+            raise InputError(
+                f"{owner}: {name} cannot change during a run, only inputs and tunable parameters "
+                "can; give it as a start value"
+            )
+        if (owner, name) in connected:
+            raise InputError(f"{owner}: {name} is connected, so a change of it would not last")
 

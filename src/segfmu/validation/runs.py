@@ -42,7 +42,7 @@ from segfmu.validation.planned import (
     unknown_wind,
 )
 from segfmu.validation.progress import Progress, quiet
-from segfmu.validation.scenario import arrival, run
+from segfmu.validation.scenario import arrival, recorded, run
 from segfmu.validation.units import signal_units
 
 if TYPE_CHECKING:
@@ -240,6 +240,7 @@ def simulate(
     if recording is not None:
         with about(task.file):
             require_gantry(task.build_crane(), "commands")
+        recorded(task, recording)
     with about(task.file):
         trajectory = planned(task, progress)
         ends = arrival(task, trajectory, recording)

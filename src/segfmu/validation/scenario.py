@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from segfmu.cosim import Change, simulate
+from segfmu.cosim.change import require_changeable
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.fmu.feedforward.interface import FAR, WAYPOINTS
@@ -206,6 +207,26 @@ def crane_values(mission: Mission) -> dict[str, float | str]:
     return values | {n: v for n, v in chosen.items() if v is not None}
 
 
+def recorded(mission: Mission, recording: Recording) -> list[Change]:
+    """What a recording changes in the FMUs of a mission.
+
+    Raises
+    ------
+    InputError
+        For a column that is no variable of theirs, or one that cannot change during a run.
+    """
+    models = crane_parameters.models(mission.crane)
+    interfaces = sized(max(WAYPOINTS, len(mission.waypoints)), models)
+    variables = {spec.name: {v.name: v for v in spec.variables} for spec in interfaces}
+    changes = list(recording.changes(variables))
+    for change in changes:
+        try:
+            require_changeable(change, variables[change.fmu], frozenset())
+        except InputError as error:
+            raise InputError(f"{change.origin}: {error}") from None
+    return changes
+
+
 def run(
     mission: Mission,
     feedforward: Path,
@@ -218,12 +239,9 @@ def run(
 
     With a recording, until its last row is settled.
     """
-    changes: list[Change] = []
-    enabled: dict[str, bool] = {}
-    if recording is not None:
-        names = {spec.name: tuple(spec.references) for spec in specs(mission, trajectory)}
-        changes = list(recording.changes(names))
-        enabled = {"command.enabled": True} if recording.commands else {}
+    changes = [] if recording is None else recorded(mission, recording)
+    commanded = recording is not None and recording.commands
+    enabled = {"command.enabled": True} if commanded else {}
     return simulate(
         feedforward,
         crane,

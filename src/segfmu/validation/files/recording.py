@@ -6,7 +6,7 @@ are separated by commas, semicolons or tabs. Units in brackets behind names are 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -59,7 +59,7 @@ class Recording:
         """Whether there are commands of an operator."""
         return any(name.startswith("command.") for name in self.columns)
 
-    def changes(self, variables: Mapping[str, Sequence[str]]) -> Iterator[Change]:
+    def changes(self, variables: Mapping[str, Collection[str]]) -> Iterator[Change]:
         """What changes when; `variables` of each FMU, of which the first that has one gets it.
 
         Raises
@@ -79,7 +79,7 @@ class Recording:
                 if values:
                     yield Change(time, fmu, values, f"{self.path}, line {self.lines[i]}")
 
-    def _owner(self, name: str, variables: Mapping[str, Sequence[str]]) -> str:
+    def _owner(self, name: str, variables: Mapping[str, Collection[str]]) -> str:
         for fmu, names in variables.items():
             if name in names:
                 return fmu
