@@ -150,7 +150,8 @@ def test_the_comparison_is_as_told_and_every_drive_within_its_bounds(
     name: str, place: int, disturbances: int, tmp_path: Path
 ) -> None:
     require_native()
-    run(every(12 // (disturbances - 1), name, tmp_path), "-o", tmp_path, "--jobs", "1", code=1)
+    path = every(12 // (disturbances - 1), name, tmp_path)
+    run(path, "-o", tmp_path, "--jobs", "1", code=1, threads=True)
     result = load_result(tmp_path)
     assert not result.errors
     assert all(result.column("holds.drives"))

@@ -140,7 +140,7 @@ def test_the_comparison_is_as_told(tmp_path: Path) -> None:
     text = text.replace('"_hook', f'"{CAMPAIGNS.as_posix()}/_hook')
     own = tmp_path / "campaign.toml"
     own.write_text(text.replace('[factors.variants."exact"]\n', ""), encoding="utf-8")
-    run(own, "-o", tmp_path, "--jobs", "1", code=1)
+    run(own, "-o", tmp_path, "--jobs", "1", code=1, threads=True)
     result = load_result(tmp_path)
     assert not result.errors and all(result.column("holds.drives"))
     table = told("1 kg")

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import subprocess
 import sys
-from contextlib import redirect_stderr, redirect_stdout
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
 import pytest
+from distributed import LocalCluster
 
 from segfmu import cli
 from segfmu.cli.console import console
+from segfmu.validation.campaigns import cluster, worker
 from segfmu.validation.campaigns.result import CampaignResult, load_result
 from tests.compiler import require_native
 from tests.sharing import shared
@@ -72,7 +76,7 @@ def completed(factory: pytest.TempPathFactory, name: str, text: str) -> Campaign
     """A campaign's result, uninterrupted on one worker, which all workers of the tests share."""
     require_native()
     folder = shared(
-        factory, name, lambda f: run(write(f, text), "-o", f / "out", "--jobs", "1")
+        factory, name, lambda f: run(write(f, text), "-o", f / "out", "--jobs", "1", threads=True)
     )
     return load_result(folder / "out")
 
@@ -117,6 +121,32 @@ def called(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str
     return done
 
 
-def run(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
-    """Run `segfmu campaign` in this process; it ends with this exit code."""
+def run(
+    *words: str | Path, code: int = 0, threads: bool = False
+) -> subprocess.CompletedProcess[str]:
+    """Run `segfmu campaign` in this process; it ends with this exit code.
+
+    threads : whether its workers are threads of this process too.
+    """
+    if threads:
+        with threaded():
+            return called("campaign", *words, code=code)
     return called("campaign", *words, code=code)
+
+
+@contextmanager
+def threaded() -> Iterator[None]:
+    """Workers of campaigns are threads of this process: each process loads all packages anew."""
+
+    @contextmanager
+    def local(jobs: int) -> Iterator[LocalCluster]:
+        with LocalCluster(
+            n_workers=jobs, threads_per_worker=1, processes=False, dashboard_address=None
+        ) as found:
+            yield found
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(cluster, "_local", local)
+        # workers are silent for good; this process is none
+        patch.setattr(worker, "LOGGER", logging.getLogger("worker"))
+        yield

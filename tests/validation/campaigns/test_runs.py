@@ -10,14 +10,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from xml.etree import ElementTree
 
-import dask
-
-# its defaults: of settings before they were read, `dask.config.set` leaves none behind
-import distributed  # noqa: F401
+import distributed
 import pyarrow
 import pyarrow.parquet
 import pytest
@@ -26,9 +23,10 @@ import segfmu
 from segfmu import cli
 from segfmu.errors import InputError
 from segfmu.validation.campaigns import worker
-from segfmu.validation.campaigns.campaign import load_campaign
+from segfmu.validation.campaigns.campaign import Run, load_campaign
 from segfmu.validation.campaigns.replay import write_run
 from segfmu.validation.campaigns.result import CampaignResult, load_result
+from segfmu.validation.campaigns.store import Store
 from segfmu.validation.files.scenario_file import Source, load_scenario
 from segfmu.validation.suite import Runner
 from tests.campaign import SOAK, soaked
@@ -43,9 +41,11 @@ from tests.validation.campaigns.files import (
     completed,
     process,
     run,
+    threaded,
     write,
 )
 
+ROOT = Path(__file__).parents[3]
 RUNS = 40
 
 
@@ -150,9 +150,13 @@ def test_junit_and_a_comparison_of_the_command(
 
 # the command, which does something at a given place of the campaign, however fast runs are made
 DRIVER = """
-import os, signal
+import os, signal, sys
+from contextlib import nullcontext
+sys.path.append({root!r})
 from segfmu.cli.app import main
 from segfmu.validation.campaigns.store import Store
+
+from tests.validation.campaigns.files import threaded
 
 add, came = Store.add, 0
 
@@ -165,7 +169,8 @@ def adds(self, outcomes):
 
 if __name__ == "__main__":
     Store.add = adds
-    main()
+    with {workers}():
+        main()
 """
 # a third is written; what comes next is lost with the process
 KILLED = """
@@ -174,10 +179,6 @@ KILLED = """
     if came >= {count}:
         self.flush()
 """
-WORKER_KILLED = """
-    if before < {count} <= came:
-        os.kill({pid}, signal.SIGKILL)
-"""
 # some runs are written
 HELD = """
     self.flush()
@@ -185,15 +186,22 @@ HELD = """
 """
 
 
-def driven(folder: Path, action: str, *words: str | Path) -> subprocess.Popen[str]:
-    """`segfmu campaign` with something that happens on the way."""
+def driver(folder: Path, action: str, *words: str | Path, threads: bool = False) -> list[str]:
+    """`segfmu campaign` with something that happens on the way.
+
+    threads : whether its workers are threads of its process.
+    """
     script = folder / "driver.py"
-    script.write_text(DRIVER.format(action=action), encoding="utf-8")
-    _, _, _, _, *own = command(*words)
-    return subprocess.Popen(
-        [sys.executable, str(script), "campaign", *own], stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE, text=True,
+    text = DRIVER.format(
+        action=action, root=str(ROOT), workers="threaded" if threads else "nullcontext"
     )
+    script.write_text(text, encoding="utf-8")
+    _, _, _, _, *own = command(*words)
+    return [sys.executable, str(script), "campaign", *own]
+
+
+def driven(words: list[str]) -> subprocess.Popen[str]:
+    return subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 def rows(out: Path) -> int:
@@ -211,13 +219,13 @@ def test_a_killed_campaign_goes_on_where_it_was(
     runs = whole.table.num_rows
     path, out = write(tmp_path, text), tmp_path / "out"
     action = KILLED.format(count=runs // 3)
-    with driven(tmp_path, action, path, "-o", out, "--jobs", "2") as first:
+    with driven(driver(tmp_path, action, path, "-o", out, "--jobs", "2")) as first:
         said = first.communicate(timeout=300)
     assert first.returncode == -signal.SIGKILL, said
     before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
     kept = rows(out)
     assert runs // 3 <= kept < runs
-    done = run(path, "-o", out, "--jobs", "1")
+    done = run(path, "-o", out, "--jobs", "1", threads=True)
     assert f"{kept} of {most} runs were there" in done.stdout
     assert before and load_result(out).table.equals(whole.table)
     assert (out / "runs.parquet").read_bytes() == (whole.folder / "runs.parquet").read_bytes()
@@ -226,46 +234,47 @@ def test_a_killed_campaign_goes_on_where_it_was(
 @pytest.fixture
 def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes]]]]:
     """Address of a scheduler with two workers, each a process started by hand, and these."""
-    found = tmp_path / "scheduler.json"
-    dask = [sys.executable, "-m", "dask"]
-    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": tmp_path}
-    processes = [subprocess.Popen(
-        [*dask, "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-         "--scheduler-file", str(found)], **quiet,
-    )]
-    processes += [
-        subprocess.Popen(
-            [*dask, "worker", "--scheduler-file", str(found), "--nthreads", "1", "--no-nanny",
-             "--no-dashboard", "--local-directory", str(tmp_path / str(i))], **quiet,
-        )
-        for i in range(2)
-    ]
-    try:
-        deadline = time.monotonic() + 60.0
-        while not found.exists():
-            assert time.monotonic() < deadline
-            time.sleep(0.1)
-        address = re.search(r'"address": "([^"]+)"', found.read_text())
-        assert address is not None
-        yield address[1], processes[1:]
-    finally:
-        for one in reversed(processes):
-            one.kill()
-            one.wait()
+    processes: list[subprocess.Popen[bytes]] = []
+    with distributed.LocalCluster(
+        n_workers=0, host="127.0.0.1", protocol="tcp", processes=False, dashboard_address=None
+    ) as cluster:
+        try:
+            processes += [
+                subprocess.Popen(
+                    [sys.executable, "-m", "dask", "worker", cluster.scheduler_address,
+                     "--nthreads", "1", "--no-nanny", "--no-dashboard", "--local-directory",
+                     str(tmp_path / str(i))],
+                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tmp_path,
+                )
+                for i in range(2)
+            ]
+            yield cluster.scheduler_address, processes
+        finally:
+            for one in processes:
+                one.kill()
+                one.wait()
 
 
 def test_a_worker_that_is_killed_loses_nothing(
-    whole: CampaignResult, tmp_path: Path,
+    whole: CampaignResult, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
     scheduler: tuple[str, list[subprocess.Popen[bytes]]],
 ) -> None:
     path, out = write(tmp_path), tmp_path / "out"
     address, workers = scheduler
-    action = WORKER_KILLED.format(count=RUNS // 6, pid=workers[0].pid)
-    with driven(tmp_path, action, path, "-o", out, "--scheduler", address) as first:
-        said, errors = first.communicate(timeout=300)
-    assert first.returncode == 0, said + errors
-    assert load_result(out).table.equals(whole.table)
-    assert workers[1].poll() is None
+    add, came = Store.add, 0
+
+    def adds(self: Store, outcomes: Iterable[tuple[Run, worker.Outcome]]) -> None:
+        nonlocal came
+        own = list(outcomes)
+        add(self, own)
+        before, came = came, came + len(own)
+        if before < RUNS // 6 <= came:
+            workers[0].kill()
+
+    monkeypatch.setattr(Store, "add", adds)
+    run(path, "-o", out, "--scheduler", address)
+    assert came == RUNS and load_result(out).table.equals(whole.table)
+    assert workers[0].wait() == -signal.SIGKILL and workers[1].poll() is None
 
 
 def test_no_scheduler_is_one_line(whole: CampaignResult, tmp_path: Path) -> None:
@@ -276,7 +285,7 @@ def test_no_scheduler_is_one_line(whole: CampaignResult, tmp_path: Path) -> None
         assert done.stderr.count("\n") == 1 and f"--scheduler {address}" in done.stderr
 
 
-# runs that fail in three ways beside those that do not
+# runs that fail beside those that do not
 FAILING = """
 [[fmus]]
 name = "probe"
@@ -294,7 +303,7 @@ sampling.kind = "one at a time"
 [[factors]]
 name = "status"
 key = "fmus.probe.values.fail.status"
-values = [0, 3, 99]
+values = {statuses}
 
 [[factors]]
 name = "step"
@@ -308,23 +317,26 @@ values = [0.22, 0.21]
 """
 
 
-def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_path: Path) -> None:
+# test_names.py has one that dies
+@pytest.mark.parametrize("statuses", [[0, 3], *soaked([0, 3, 99])])
+def test_runs_that_fail_are_rows_with_their_error(
+    statuses: list[int], whole: CampaignResult, tmp_path: Path
+) -> None:
     probe = build(tmp_path, 2)
     scenario = SCENARIO + FAILING.format(path=probe.as_posix())
-    path = write(tmp_path, FAILURES, scenario)
-    # one of them dies; Dask begins its worker anew less often than the usual three times
-    with dask.config.set({"distributed.scheduler.allowed-failures": 3 if SOAK else 0}):
-        done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
+    path = write(tmp_path, FAILURES.format(statuses=statuses), scenario)
+    done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1, threads=99 not in statuses)
     result = load_result(tmp_path / "out")
     errors = dict(result.errors)
-    assert set(errors) == {2, 3, 5}
-    assert "told to fail" in errors[2] and "died" in errors[3]
-    assert "crane.payload_mass" in errors[5]
-    assert result.column("status") == [None, 0, 3, 99, *[None] * 4]
+    count = len(statuses)
+    assert set(errors) == {2, *([3] if count > 2 else []), count + 2}
+    assert "told to fail" in errors[2] and "died" in errors.get(3, "died")
+    assert "crane.payload_mass" in errors[count + 2]
+    assert result.column("status") == [None, *statuses, *[None] * 4]
     assert not any(result.column("passed")[number] for number in errors)
     assert all(f"run {number}: " in done.stdout for number in errors)
     judged = [margin is not None for margin in result.column("margin.follows")]
-    assert judged == [number not in errors for number in range(8)]
+    assert judged == [number not in errors for number in range(count + 5)]
 
 
 @pytest.mark.soak
@@ -332,7 +344,7 @@ def test_runs_that_fail_are_rows_with_their_error(whole: CampaignResult, tmp_pat
 def test_a_run_that_hangs_costs_itself_alone(tmp_path: Path) -> None:
     require_native()
     scenario = SCENARIO + FAILING.format(path=build(tmp_path, 2).as_posix())
-    campaign = FAILURES.replace('"failing"', '"hanging"\ntimeout = 20').replace("3, 99", "98")
+    campaign = FAILURES.format(statuses=[0, 98]).replace('"failing"', '"hanging"\ntimeout = 20')
     path = write(tmp_path, campaign, scenario)
     done = run(path, "-o", tmp_path / "out", "--jobs", "1", code=1)
     errors = dict(load_result(tmp_path / "out").errors)
@@ -362,7 +374,8 @@ def test_a_worker_gives_up_at_the_run_that_hangs(monkeypatch: pytest.MonkeyPatch
 def test_two_campaigns_in_one_folder(tmp_path: Path) -> None:
     require_native()
     path, out = write(tmp_path), tmp_path / "out"
-    with driven(tmp_path, HELD, path, "-o", out, "--jobs", "1") as first:
+    words = driver(tmp_path, HELD, path, "-o", out, "--jobs", "1", threads=True)
+    with driven(words) as first:
         # it must not come to its end before the other one begins
         _, status = os.waitpid(first.pid, os.WUNTRACED)
         assert os.WIFSTOPPED(status)
@@ -385,7 +398,7 @@ def test_a_folder_that_is_removed_meanwhile(tmp_path: Path) -> None:
         if what == "runs":
             shutil.rmtree(out, ignore_errors=True)
 
-    with pytest.raises(InputError, match=r"campaign\.json: was written and is gone"):
+    with threaded(), pytest.raises(InputError, match=r"campaign\.json: was written and is gone"):
         segfmu.campaign(path, out, jobs=1, progress=remove)
     assert not out.exists()
 
@@ -407,7 +420,7 @@ needs_mounts = pytest.mark.skipif(
 def test_a_disk_that_fills_up(whole: CampaignResult, tmp_path: Path) -> None:
     path, out, kept = write(tmp_path), tmp_path / "out", tmp_path / "kept"
     out.mkdir()
-    words = " ".join(command(path, "-o", out, "--jobs", "1"))
+    words = " ".join(driver(tmp_path, "pass", path, "-o", out, "--jobs", "1", threads=True))
     # room for the first files alone; what was written is looked at before the mount is gone
     done = in_namespace(
         f"mount -t tmpfs -o size=12k none {out} && {words}; echo $?; cp -r {out} {kept}"
@@ -416,7 +429,7 @@ def test_a_disk_that_fills_up(whole: CampaignResult, tmp_path: Path) -> None:
     assert done.stderr.count("\n") == 1 and "No space left on device" in done.stderr
     # with room, the campaign goes on from there
     assert not list(kept.rglob("*.part"))
-    run(path, "-o", kept, "--jobs", "1")
+    run(path, "-o", kept, "--jobs", "1", threads=True)
     assert load_result(kept).table.equals(whole.table)
 
 
