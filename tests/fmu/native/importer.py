@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import shutil
 import tempfile
@@ -14,18 +15,29 @@ from fmpy import extract, read_model_description
 from fmpy.fmi2 import FMU2Model, FMU2Slave, fmi2CallbackFunctions, fmi2CallbackLoggerTYPE
 from fmpy.fmi3 import FMU3Model, FMU3Slave, fmi3LogMessageCallback
 
+GROUPS = {"Float64": "Float64", "Int32": "Int32", "Boolean": "Boolean", "Enumeration": "Int64"}
 # each archive once: nothing changes what was read
 described = lru_cache(lambda path, changed: read_model_description(path))
-GROUPS = {"Float64": "Float64", "Int32": "Int32", "Boolean": "Boolean", "Enumeration": "Int64"}
+
+
+@lru_cache(maxsize=32)
+def unpacked(path: Path, changed: int) -> Path:
+    """What runs of an archive, without sources and pages; until this process ends."""
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    extract(
+        str(path), unzipdir=str(folder), include=lambda n: not n.startswith(("sources", "docum"))
+    )
+    return folder
 
 
 class Importer:
     """One instance; a context manager that frees it."""
 
     def __init__(self, path: Path, kind: str = "CoSimulation", **options: Any) -> None:
-        self.folder = Path(tempfile.mkdtemp())
-        extract(str(path), unzipdir=str(self.folder))
-        self.description = described(str(path), path.stat().st_mtime_ns)
+        changed = path.stat().st_mtime_ns
+        self.folder = unpacked(path, changed)
+        self.description = described(str(path), changed)
         self.variables = {v.name: v for v in self.description.modelVariables}
         self.three = self.description.fmiVersion.startswith("3")
         self.messages: list[str] = []
@@ -61,7 +73,6 @@ class Importer:
 
     def __exit__(self, *_: object) -> None:
         self.fmu.freeInstance()
-        shutil.rmtree(self.folder)
 
     def set(self, values: dict[str, Any]) -> None:
         """Set variables; enumerations by item; sizes in configuration mode."""
