@@ -19,6 +19,7 @@ Values = dict[str, Any]
 Inputs = Callable[[float], Values]
 # name -> values at the start and after every step
 Rows = dict[str, list[float]]
+Ends = Callable[[Rows], bool]
 
 
 class Bench:
@@ -37,8 +38,13 @@ class Bench:
         """What the instances have said so far."""
         return self._importer.messages
 
-    def run(self, values: Values, inputs: Inputs, times: np.ndarray) -> Rows | None:
-        """The chosen variables from times[0] to times[-1]; None where the FMU refuses."""
+    def run(
+        self, values: Values, inputs: Inputs, times: np.ndarray, ends: Ends = lambda rows: False
+    ) -> Rows | None:
+        """The chosen variables from times[0] to times[-1]; None where the FMU refuses.
+
+        ends : whether the rows so far are enough.
+        """
         self._renew()
         self.messages.clear()
         rows: Rows = {}
@@ -48,6 +54,8 @@ class Bench:
             self._importer.initialise(start=float(times[0]))
             self._read(rows)
             for before, after in pairwise(times):
+                if ends(rows):
+                    break
                 self._importer.set(inputs(float(before)))
                 self._importer.step(float(before), float(after - before))
                 self._read(rows)
@@ -90,7 +98,9 @@ class SlaveBench:
         self._names = names
         self.messages: list[str] = []
 
-    def run(self, values: Values, inputs: Inputs, times: np.ndarray) -> Rows | None:
+    def run(
+        self, values: Values, inputs: Inputs, times: np.ndarray, ends: Ends = lambda rows: False
+    ) -> Rows | None:
         """As `Bench.run`."""
         slave = self._slave(instance_name="one")
         rows: Rows = {name: [] for name in self._names}
@@ -101,6 +111,8 @@ class SlaveBench:
             slave.exit_initialization_mode()
             self._read(slave, rows)
             for before, after in pairwise(times):
+                if ends(rows):
+                    break
                 self._set(slave, inputs(float(before)))
                 slave.advance(float(before), float(after - before))
                 self._read(slave, rows)

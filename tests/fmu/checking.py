@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 from fmpy.validation import validate_fmu
 from lark import Lark
 
-# grammars and names that follow them: fmpy takes 5 ms for a name, archives have up to 800
+# Grammars and names that follow them, with 1 in place of any whole number: fmpy takes 5 ms for a
+# name, archives have up to 800, most of which differ in a number alone.
+NUMBER = re.compile(r"(?<![\w.])[1-9]\d*(?!\w)")
 legal: set[tuple[str, str]] = set()
 
 
@@ -17,9 +20,10 @@ def faults(path: Path) -> list[str]:
     parse = Lark.parse
 
     def once(parser: Lark, name: str) -> None:
-        if (parser.source_grammar, name) not in legal:
+        like = NUMBER.sub("1", name)
+        if (parser.source_grammar, like) not in legal:
             parse(parser, name)
-            legal.add((parser.source_grammar, name))
+            legal.add((parser.source_grammar, like))
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Lark, "parse", once)
