@@ -24,6 +24,17 @@ print(*(sum(extras, []) if extras else project["dependencies"]), sep="\n")
 endef
 export REQUIREMENTS
 
+# the libraries of the demo's FMUs, into the cache where its build looks for them
+define LIBRARIES
+from segfmu.fmu.native.archive import sources
+from segfmu.fmu.native.binaries import binary
+from segfmu.fmu.native.compilers import host
+from segfmu.fmu.native.processes import on_all_cores
+from segfmu.fmu.pairs import PAIRS
+on_all_cores(lambda name: binary(name, sources(name, 2), host()), PAIRS[0].names)
+endef
+export LIBRARIES
+
 # modules that commands load
 LOADED := fmpy, matplotlib.backends.backend_agg, scipy.linalg, segfmu.cli, segfmu.cosim, \
 	segfmu.validation.plots, segfmu.validation.report, segfmu.validation.runs
@@ -33,7 +44,7 @@ FOR_KERNELS := pyproject.toml setup.py $(wildcard src/segfmu/kernels/c/* src/seg
 
 # the package and what it needs to run: one core compiles the kernels while the other one installs
 $(VENV)/package: $(FOR_PACKAGE) $(FOR_KERNELS) | $(BIN)/python
-	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/required $(VENV)/compiled
+	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/compiled $(VENV)/required $(BESIDE) $(VENV)/loaded
 	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
 		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
 	@touch $@
@@ -45,7 +56,10 @@ $(BIN)/python:
 $(VENV)/required: $(FOR_PACKAGE)
 	@$(BIN)/python -c "$$REQUIREMENTS" > $@.txt
 	@$(PIP) --requirement $@.txt
-	@# bytecode of what the first commands load, written while the kernels compile
+	@touch $@
+
+# bytecode of what the first commands load, written while the kernels compile
+$(VENV)/loaded: $(VENV)/required
 	@PYTHONDONTWRITEBYTECODE= PYTHONPATH=src SEGFMU_INTERPRETED=1 $(BIN)/python -c "import $(LOADED)"
 	@touch $@
 
@@ -54,6 +68,11 @@ $(VENV)/compiled: $(FOR_KERNELS)
 	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
 	@rm -f src/segfmu/cosim/_loop.cpython-* src/segfmu/cosim/_loop.cp3*
 	@$(PIP) --no-deps --editable .
+	@touch $@
+
+# where it cannot be done, the demo tells why
+$(VENV)/libraries: $(VENV)/required $(FOR_KERNELS)
+	@PYTHONPATH=src SEGFMU_INTERPRETED=1 $(BIN)/python -c "$$LIBRARIES" 2> /dev/null || true
 	@touch $@
 
 # further packages
@@ -74,6 +93,7 @@ help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)$$/\1@\2/p' $(MAKEFILE_LIST) | \
 		awk -F@ '{ printf "make %-16s %s\n", $$1, $$2 }'
 
+demo: BESIDE = $(VENV)/libraries
 demo: $(VENV)/package ## plan, invert, pack, co-simulate and judge the paper's mission
 	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
 	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
