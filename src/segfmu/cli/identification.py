@@ -99,5 +99,7 @@ def _show(found: Identification) -> None:
         warn(str(gap))
     for log in found.poor:
         warn(str(log))
+    for drive in found.shifted:
+        warn(str(drive))
     for signal in found.beyond:
         warn(str(signal))

@@ -316,6 +316,28 @@ def test_a_log_that_is_not_followed_is_told() -> None:
     assert followed.fitted[0].signals[1].index < 0.1 and not followed.poor
 
 
+@pytest.mark.parametrize(("late", "fit", "told"), [
+    (-0.2, ["bridge.lag", "bridge.dead_time"], ", which no lag or dead time explains: "),
+    (0.2, ["sensors.sway_x.zero"], "fit lag and dead time of its drive"), (0.2, ["bridge.lag"], ""),
+])
+def test_a_drive_that_moves_at_another_time_is_told(
+    late: float, fit: list[str], told: str
+) -> None:
+    times = np.linspace(0.0, 6.0, 200)
+    rate = 2.0 * np.pi / 6.0
+    found = segfmu.identify(
+        {"time": times, "velocity.bridge": 0.2 * np.sin(rate * times),
+         "measured.bridge.position": -0.2 / rate * np.cos(rate * (times - late)),
+         "measured.rope.length": np.full_like(times, 0.7)},
+        crane("lab"), fit=fit,
+    )
+    assert bool(told) == bool(found.shifted)
+    for one in found.shifted:
+        assert one.signal == "measured.bridge.position"
+        assert one.time == pytest.approx(late, rel=0.05)
+        assert str(one).startswith(f"log 1: {one.signal} is 0.") and told in str(one)
+
+
 @pytest.mark.parametrize(("length", "text"), [
     (500.0, r"mean length is 500 m, rope_max of the crane file is 0\.9 m"),
     (5e-4, r"mean length is 0\.0005 m, rope_min of the crane file is 0\.2 m"),

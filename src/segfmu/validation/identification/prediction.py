@@ -19,6 +19,8 @@ LOAD = tuple(f"load.position.{axis}" for axis in "xyz")
 BEYOND = 0.5
 # a fit index that is too low where what is left is no noise, of which samples count for themselves
 POOR, NOISE = 0.5, 5.0
+# share of the squares of differences from which on a time explains them
+MOSTLY = 0.5
 OFFSETS = [f"sensor.{name.removeprefix('measured.')}.offset" for name in OUTPUTS]
 
 
@@ -166,6 +168,48 @@ def poor(fitted: Sequence[Prediction]) -> Iterator[Poor]:
         found = tuple(s for s in own if s.index < POOR and s.dependence > NOISE)
         if found:
             yield Poor(part.log, found)
+
+
+@dataclass(frozen=True)
+class Shifted:
+    """A drive that moves before or behind the fitted crane.
+
+    Attributes
+    ----------
+    log, signal : str
+    time : float
+        By which it is behind; negative where it is before [s].
+    """
+
+    log: str
+    signal: str
+    time: float
+
+    def __str__(self) -> str:
+        where = f"{self.log}: {self.signal} is {pretty(abs(self.time))} s"
+        if self.time > 0.0:
+            return f"{where} behind the fitted crane: fit lag and dead time of its drive"
+        return (
+            f"{where} before the fitted crane, which no lag or dead time explains: setpoints and "
+            "measured signals have not one clock, or what the crane file has is too long"
+        )
+
+
+def shifted(fitted: Sequence[Prediction]) -> Iterator[Shifted]:
+    """Positions of drives whose differences are mostly those of another time, by a row or more."""
+    for part in fitted:
+        times = part.columns["time"]
+        for signal in OUTPUTS[:3]:
+            if signal not in part.columns:
+                continue
+            simulated = part.columns[f"simulated.{signal}"]
+            rate, away = np.gradient(simulated, times), part.columns[signal] - simulated
+            rate, away = rate - rate.mean(), away - away.mean()
+            square, common = float(rate @ rate), float(rate @ away)
+            if common**2 <= MOSTLY * square * float(away @ away):
+                continue
+            if abs(common) >= square * float(np.median(np.diff(times))):
+                yield Shifted(part.log, signal, -common / square)
 
 
 def fit_index(measured: FloatArray, simulated: FloatArray) -> float:

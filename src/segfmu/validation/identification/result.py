@@ -14,8 +14,10 @@ from segfmu.validation.identification.prediction import (
     Beyond,
     Poor,
     Prediction,
+    Shifted,
     beyond,
     poor,
+    shifted,
     told,
 )
 from segfmu.validation.units import pretty
@@ -143,6 +145,11 @@ class Identification:
     def beyond(self) -> tuple[Beyond, ...]:
         """Where rope and sway of what was only predicted are far from all that was fitted."""
         return tuple(beyond(self.fitted, self.predicted))
+
+    @property
+    def shifted(self) -> tuple[Shifted, ...]:
+        """Drives that follow velocities before the fitted crane does, or behind it."""
+        return tuple(shifted(self.fitted)) if self.nominal.drive == "velocity" else ()
 
     def write(self, path: str | Path) -> Path:
         """Write the crane file with the estimates and where they are from; returns the file.
