@@ -118,7 +118,8 @@ quick: $(VENV)/installed ## the tests that fail for most mistakes, without long 
 	$(PYTEST) -m "not long and not soak" $(QUICK)
 
 $(VENV)/translated: $(TRANSLATED)
-	$(PYTEST) tests/codegen
+	@# as a soak, which generates again what takes long
+	SEGFMU_SOAK=1 $(PYTEST) tests/codegen
 	@touch $@
 
 test: $(VENV)/installed ## all tests, on all cores
