@@ -118,8 +118,7 @@ quick: $(VENV)/installed ## the tests that fail for most mistakes, without long 
 	$(PYTEST) -m "not long and not soak" $(QUICK)
 
 $(VENV)/translated: $(TRANSLATED)
-	@# as a soak, which generates again what takes long
-	SEGFMU_SOAK=1 $(PYTEST) tests/codegen
+	$(PYTEST) tests/codegen
 	@touch $@
 
 test: $(VENV)/installed ## all tests, on all cores

@@ -6,7 +6,7 @@ from importlib import import_module
 from pathlib import Path
 from pkgutil import iter_modules
 
-from segfmu.codegen import drawing, extension, messages, native, origin, records, stubs
+from segfmu.codegen import drawing, extension, messages, native, records, stubs
 from segfmu.codegen.amalgam import KERNELS
 from segfmu.codegen.files import write
 
@@ -22,7 +22,6 @@ def main() -> None:
         write(target, text)
     for target in drawing.TARGETS:
         write(target, drawing.generate())
-    write(origin.TARGET, origin.generate())
 
 
 def equations() -> dict[Path, str]:
