@@ -132,9 +132,9 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real command_velocity_x(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, x" annotation(Dialog(tab = "command"));
   parameter Real command_velocity_y(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, y" annotation(Dialog(tab = "command"));
   parameter Real command_velocity_z(unit = "m/s") = 0.0 "velocity of the load; in the mode inching its sign is a push, z" annotation(Dialog(tab = "command"));
-  parameter Real command_target_x(unit = "m") = 0.0 "target of the load, x" annotation(Dialog(tab = "command"));
-  parameter Real command_target_y(unit = "m") = 0.0 "target of the load, y" annotation(Dialog(tab = "command"));
-  parameter Real command_target_z(unit = "m") = 0.0 "target of the load, z" annotation(Dialog(tab = "command"));
+  parameter Real command_target_x(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "target of the load, x" annotation(Dialog(tab = "command"));
+  parameter Real command_target_y(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "target of the load, y" annotation(Dialog(tab = "command"));
+  parameter Real command_target_z(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "target of the load, z" annotation(Dialog(tab = "command"));
   parameter Boolean command_go = true "in the mode target: go there; false: stop" annotation(Dialog(tab = "command"));
   parameter Real limits_scale(min = 0.0, max = 1.0) = 1.0 "share of the velocity limits that commands are followed with; 0: stop" annotation(Dialog(tab = "limits"));
   parameter Real command_hold(unit = "s", min = 0.001) = 0.1 "how long a commanded velocity is held beyond a step, if nothing renews it" annotation(Dialog(tab = "command"));
@@ -146,9 +146,9 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real drive_trolley_brake_deceleration(unit = "m/s2", min = 0.0) = 0.0 "deceleration of the brake of the trolley drive, when it trips; 0: the drive's greatest one" annotation(Dialog(tab = "drive"));
   parameter Boolean command_tripped_hoist = false "the hoist drive has tripped: its brake stops it, the others stop as fast as they can; while it is true, no other command is followed" annotation(Dialog(tab = "command"));
   parameter Real drive_hoist_brake_deceleration(unit = "m/s2", min = 0.0) = 0.0 "deceleration of the brake of the hoist drive, when it trips; 0: the drive's greatest one" annotation(Dialog(tab = "drive"));
-  parameter Real command_distance_x(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
-  parameter Real command_distance_y(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
-  parameter Real command_distance_z(unit = "m", min = 0.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_x(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, x" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_y(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
+  parameter Real command_distance_z(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
   parameter Boolean command_take_over = false "begin in the measured state and bring the load to rest, or to the target; each time that it becomes true, and at the start" annotation(Dialog(tab = "command"));
   parameter Real measured_bridge_position(unit = "m") = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_trolley_position(unit = "m") = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
@@ -425,7 +425,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{ffa49c58-830e-cfac-588b-bd8cfc893118}", 0);
+      "{9146096b-7845-98ec-4cec-f6bd3ac16800}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from segfmu.crane.operation_command import FARTHEST
 from segfmu.fmu.feedforward.interface import (
     FAR,
     LIMITS,
@@ -115,14 +116,20 @@ def _commands() -> list[Variable]:
             kind="Enumeration", enumeration=MODES,
         ),
     ]
-    for name, unit, meaning in (
-        ("velocity", "m/s", "velocity of the load; in the mode inching its sign is a push"),
-        ("target", "m", "target of the load"),
-    ):
-        rows += [
-            command(f"command.{name}.{a}", 0.0, unit, f"{meaning}, {a}")
-            for a in "xyz"
-        ]
+    rows += [
+        command(
+            f"command.velocity.{a}", 0.0, "m/s",
+            f"velocity of the load; in the mode inching its sign is a push, {a}",
+        )
+        for a in "xyz"
+    ]
+    rows += [
+        command(
+            f"command.target.{a}", 0.0, "m", f"target of the load, {a}",
+            minimum=-FARTHEST, maximum=FARTHEST,
+        )
+        for a in "xyz"
+    ]
     rows += [
         command(
             "command.go", True, None, "in the mode target: go there; false: stop", kind="Boolean",
@@ -159,7 +166,8 @@ def _commands() -> list[Variable]:
             ),
         ]
     return rows + triple_parameter(
-        "command.distance", 0.01, "m", "way of a push in the mode inching", minimum=0.0
+        "command.distance", 0.01, "m", "way of a push in the mode inching", minimum=0.0,
+        maximum=FARTHEST,
     )
 
 

@@ -301,11 +301,14 @@ def triple(
 
 
 def triple_parameter(
-    prefix: str, start: float, unit: str, description: str, *, minimum: float | None = None
+    prefix: str, start: float, unit: str, description: str, *, minimum: float | None = None,
+    maximum: float | None = None,
 ) -> list[Variable]:
     """Three fixed parameters of one quantity, along x, y and z."""
     return [
-        parameter(f"{prefix}.{a}", start, unit, f"{description}, {a}", minimum=minimum)
+        parameter(
+            f"{prefix}.{a}", start, unit, f"{description}, {a}", minimum=minimum, maximum=maximum
+        )
         for a in "xyz"
     ]
 
