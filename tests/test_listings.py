@@ -10,9 +10,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
 
 from segfmu import cli
+from tests.command import called
 from tests.compiler import needs_native
 
 ROOT = Path(__file__).parents[1]
@@ -64,15 +66,14 @@ def test_no_page_is_forgotten() -> None:
 
 @needs_native
 @pytest.mark.parametrize("page", BEFORE)
-def test_listings_run(page: str, tmp_path: Path) -> None:
+def test_listings_run(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In this process, where warnings are errors too."""
     if "fmus/dist" in "".join(listings(page)):
         cli.app(["build", "-o", str(tmp_path / "fmus" / "dist")], standalone_mode=False)
     code = BEFORE[page] + "\n".join(listings(page))
-    done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", code], cwd=tmp_path, capture_output=True, text=True,
-        timeout=300, check=False,
-    )
-    assert done.returncode == 0, done.stderr
+    monkeypatch.chdir(tmp_path)
+    exec(compile(code, page, "exec"), {"__name__": "__main__"})
+    plt.close("all")
 
 
 def commands() -> list[str]:
@@ -130,11 +131,7 @@ def test_the_controller_of_ones_own_damps_the_sway(tmp_path: Path) -> None:
     assert built.returncode == 0, built.stderr
 
     def verdict() -> str:
-        done = subprocess.run(
-            [sys.executable, "-m", "segfmu", "validate", "sway_damper.toml"], cwd=folder,
-            capture_output=True, text=True, timeout=300, check=False,
-        )
-        return done.stdout
+        return called("validate", "sway_damper.toml", cwd=folder).stdout
 
     assert "1 of 1 scenarios as expected" in verdict()
     scenario = folder / "sway_damper.toml"

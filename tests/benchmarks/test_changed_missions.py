@@ -8,14 +8,18 @@ import pytest
 from benchmarks.changed_missions import SITES, changes, compared
 
 import segfmu
+from tests.campaign import campaign
 
 
+@campaign(4, 6)
 @pytest.mark.parametrize("size", SITES)
-def test_a_changed_mission_keeps_its_bounds_or_is_refused_by_name(size: str, tmp_path) -> None:
+def test_a_changed_mission_keeps_its_bounds_or_is_refused_by_name(
+    size: str, tmp_path, count: int
+) -> None:
     site = SITES[size]
     archive = segfmu.build(segfmu.load_mission(site.mission), tmp_path).feedforward
     kinds: Counter[str] = Counter()
-    for mission, values in changes(site, 6):
+    for mission, values in changes(site, count):
         kind, used, apart = compared(archive, mission, values)
         kinds[kind] += 1
         if kind == "planned":

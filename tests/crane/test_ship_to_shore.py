@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
@@ -24,6 +25,7 @@ from segfmu.crane.flat_feedback import design_flat
 from segfmu.crane.observer import Uncertainty, design_observer
 from segfmu.crane.stability import largest_eigenvalue
 from segfmu.crane.tracking import TrackingController
+from tests.campaign import soaked_rows
 
 SHIP, LAB = Crane(300e3, 15e3, 40e3), Crane(2.2, 1.155, 1.0)
 LAG, PERIOD, MOST = 0.2, 0.01, 0.8
@@ -95,8 +97,17 @@ def test_it_does_not_hunt_between_steps_of_its_encoder(
     assert last_error(kind, hoisting, **CASES[case]) < 15e-3
 
 
-@pytest.mark.parametrize("lag", [0.0, 0.02, 0.1, 0.3, 0.5])
-@pytest.mark.parametrize("delayed", [0.0, 1.0, 2.4, 3.0])
+LAGGED = [(0.0, 0.0), (0.0, 3.0), (0.02, 1.0), (0.1, 2.4), (0.3, 1.0), (0.5, 0.0), (0.5, 3.0)]
+
+
+# each lag and each delay, both ends of one with both of the other
+@pytest.mark.parametrize(("lag", "delayed"), [
+    *LAGGED,
+    *soaked_rows(*(
+        case for case in product([0.0, 0.02, 0.1, 0.3, 0.5], [0.0, 1.0, 2.4, 3.0])
+        if case not in LAGGED
+    )),
+])
 @pytest.mark.parametrize("kind", DESIGNS)
 def test_it_is_stable_with_any_lag_and_delay_at_both_sizes(
     kind: str, delayed: float, lag: float

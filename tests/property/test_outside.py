@@ -11,7 +11,10 @@ from tests.kernels.planner.c_planner import Planner
 from tests.property.soak_outside import try_ruckig, try_states
 
 
-@pytest.mark.parametrize(("n", "count"), [(2, 60), (3, 60), (4, 40), (5, 8), (6, 4)])
+@pytest.mark.parametrize(("n", "count"), [
+    (2, 30), (3, 30), (4, 20), (5, 4), (6, 2),
+    *soaked_rows((2, 60), (3, 60), (4, 40), (5, 8), (6, 4)),
+])
 def test_no_state_is_refused_and_none_is_outside_after_the_told_time(
     n: int, count: int, planner: Planner
 ) -> None:
