@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
+import subprocess
 import sys
 import zipfile
 from pathlib import Path
@@ -398,3 +400,11 @@ def test_files_for_other_tools_need_fmus_that_have_all(
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path), option, *other)
     assert code == 2 and not list(tmp_path.iterdir())
     assert error.count("\n") == 1 and reason in error
+
+
+def test_a_terminal_of_unknown_width_is_printed_to() -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "segfmu", "plan", "--help"], capture_output=True, text=True,
+        env=os.environ | {"COLUMNS": "0"}, timeout=60, check=True,
+    )
+    assert "Plan a mission and show every peak" in done.stdout

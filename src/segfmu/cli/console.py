@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +12,9 @@ from rich.console import Console
 if TYPE_CHECKING:
     from segfmu.validation.documents.document import Document
 
+# a width of 0 is one that nobody knows; Rich would print nothing
+if not os.environ.get("COLUMNS", "80").strip("0"):
+    del os.environ["COLUMNS"]
 console = Console()
 
 MissionFile = Annotated[Path, typer.Argument(help="Mission file (TOML); see models/ for examples.")]
