@@ -12,9 +12,11 @@ from segfmu.fmu.standard.spec import Spec, connected, numbered
 
 def build_all(
     folder: Path, choice: Choice, specs: Sequence[Spec] | None = None, *,
-    report: Callable[[str], None] = lambda _: None,
+    report: Callable[[str], None] = lambda _: None, whole: bool = True,
 ) -> list[Path]:
     """Build FMUs of `specs`, or of all models, into a folder; `report` gets a line before each.
+
+    Native ones that are not `whole` have what a run needs alone.
 
     Raises
     ------
@@ -27,7 +29,7 @@ def build_all(
 
         natives = [_typed(named(s.name).native_spec(s), choice) for s in interfaces]
         return build_native(
-            natives, folder, fmi=choice.fmi, platforms=choice.platforms, report=report
+            natives, folder, fmi=choice.fmi, platforms=choice.platforms, report=report, whole=whole
         )
     from segfmu.fmu.python.archive import build_all as build_python
 

@@ -67,7 +67,8 @@ class Pairs:
             folder = self._folder / "_".join(map(str, key))
             interfaces = specs(_planned(mission), trajectory)
             with with_keys():
-                paths = build_all(folder, chosen(fmi, "native", "", everywhere=False), interfaces)
+                choice = chosen(fmi, "native", "", everywhere=False)
+                paths = build_all(folder, choice, interfaces, whole=False)
             self._pairs[key] = Pair((paths[0], paths[1]), _native(interfaces))
         return self._pairs[key]
 

@@ -18,6 +18,7 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.native import tables
 from tests.fmu.checking import faults
+from tests.fmu.native.importer import Importer
 
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
 HEADERS = Path(native.__file__).parent / "c" / "fmi"
@@ -100,6 +101,19 @@ def test_all_functions_of_the_standard_are_exported(
 def test_same_input_same_bytes(native_fmus, fmi: int, tmp_path: Path) -> None:
     again = native.build_all(SPECS[:1], tmp_path, fmi=fmi)
     assert again[0].read_bytes() == native_fmus[fmi][0].read_bytes()
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_what_a_run_needs_is_that_of_the_whole(native_fmus, fmi: int, tmp_path: Path) -> None:
+    path, = native.build_all(SPECS[:1], tmp_path, fmi=fmi, whole=False)
+    with zipfile.ZipFile(path) as part, zipfile.ZipFile(native_fmus[fmi][0]) as whole:
+        names = part.namelist()
+        assert [n for n in names if part.read(n) != whole.read(n)] == []
+        tops = {n.split("/")[0] for n in names}
+        assert tops == {"binaries", "modelDescription.xml", "resources"}
+    with Importer(path) as fmu:
+        fmu.initialise()
+        fmu.step(0.0, 0.1)
 
 
 def test_waypoints_are_arrays_of_fmi3(native_fmus) -> None:

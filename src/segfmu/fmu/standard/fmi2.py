@@ -149,13 +149,23 @@ def text(variable: Variable, value: float | int | bool) -> str:
 def _structure(root: ET.Element, spec: Spec) -> None:
     """Without other word, outputs follow inputs only through a step: none depends on one."""
     structure = ET.SubElement(root, "ModelStructure")
+    described = {e.name for e in entries(spec, 2)}
+    dependencies = dict(spec.dependencies)
+
+    def add(parent: ET.Element, name: str) -> None:
+        known = described.intersection(dependencies.get(name, ()))
+        knowns = sorted(spec.references[n] for n in known)
+        attributes = {"index": str(spec.references[name])}
+        attributes["dependencies"] = " ".join(map(str, knowns))
+        ET.SubElement(parent, "Unknown", attributes)
+
     outputs = ET.SubElement(structure, "Outputs")
     for variable in spec.where("output"):
-        _unknown(outputs, spec, variable.name)
+        add(outputs, variable.name)
     if spec.states:
         derivatives = ET.SubElement(structure, "Derivatives")
         for _, rate in spec.states:
-            _unknown(derivatives, spec, rate)
+            add(derivatives, rate)
     unknowns = ET.SubElement(structure, "InitialUnknowns")
     for name in initial_unknowns(spec):
         ET.SubElement(unknowns, "Unknown", {"index": str(spec.references[name])})
@@ -176,12 +186,3 @@ def initial_unknowns(spec: Spec) -> list[str]:
         v.name for v in spec.variables
         if v.initial == "calculated" and (v.causality != "local" or v.name in involved)
     ]
-
-
-def _unknown(parent: ET.Element, spec: Spec, name: str) -> None:
-    described = {e.name for e in entries(spec, 2)}
-    known = described.intersection(dict(spec.dependencies).get(name, ()))
-    knowns = sorted(spec.references[n] for n in known)
-    attributes = {"index": str(spec.references[name])}
-    attributes["dependencies"] = " ".join(map(str, knowns))
-    ET.SubElement(parent, "Unknown", attributes)
