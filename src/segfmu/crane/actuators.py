@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
+from segfmu.crane.checks import require_kind
 from segfmu.crane.contacts import NONE, resistance
 from segfmu.crane.demand import demands_in_state, peaks
 from segfmu.crane.drive_refusals import exceeded, refused, require_below, require_start
@@ -173,6 +174,9 @@ def bound_uses(
     friction: Friction = NONE,
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
+    require_kind("trajectory", trajectory, Trajectory)
+    require_kind("bounds", bounds, ActuatorBounds)
+    require_kind("friction", friction, Friction)
     return uses(bounds, *peaks(crane, trajectory, friction, bounds.lag))
 
 

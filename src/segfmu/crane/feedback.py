@@ -15,7 +15,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, finite_vector, sized
-from segfmu.crane.checks import lags_of, require_not_negative, require_positive, require_weights
+from segfmu.crane.checks import (
+    lags_of,
+    require_kind,
+    require_not_negative,
+    require_positive,
+    require_weights,
+)
 from segfmu.crane.linear import (
     ROWS,
     lagged,
@@ -212,11 +218,13 @@ def design(
         For a period, rope lengths or corrections that are not positive, negative lags, and weights
         without a solution.
     """
+    chosen = weights or Weights()
+    require_kind("crane", crane, Crane)
+    require_kind("weights", chosen, Weights)
     require_positive("sample_time", sample_time)
     require_not_negative("feedback dead_time", dead_time)
     lags = lags_of("feedback lag", lag)
     lengths = scheduled_lengths(shortest, longest, rows)
-    chosen = weights or Weights()
     most = None if strongest is None else sized("strongest", strongest, Axes.SIZE)
     for value in () if most is None else most:
         require_positive("strongest correction", value)
@@ -274,6 +282,7 @@ def design_schedule(
     InputError
         As `design`, and for payloads that are not positive and ascending.
     """
+    require_kind("crane", crane, Crane)
     values = finite_vector("payloads", payloads)
     if values[0] <= 0.0 or (np.diff(values) <= 0.0).any():
         raise InputError(f"payloads must be positive and ascending, got {values.tolist()} kg")

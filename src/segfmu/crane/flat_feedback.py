@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray
-from segfmu.crane.checks import lags_of, require_not_negative, require_positive
+from segfmu.crane.checks import lags_of, require_kind, require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
@@ -94,6 +94,7 @@ def design_flat(
     InputError
         For values that are not positive and for a negative lag.
     """
+    require_kind("crane", crane, Crane)
     require_positive("sample_time", sample_time)
     require_positive("feedback ratio", ratio)
     require_positive("feedback hoist_ratio", hoist_ratio)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, as_index, numbers, shown
 from segfmu.crane.parameters import Crane
 from segfmu.errors import InputError
 from segfmu.kernels import backend
@@ -22,7 +22,8 @@ Masses = tuple[float, float, float, float]
 # signs of phi_x and phi_y in the load's position
 SIGNS = (1.0, -1.0)
 
-ROWS = 17
+# of a table: as usual, and at most
+ROWS, MOST_ROWS = 17, 10_000
 
 # period of a feedback over sqrt(l / g), at most
 PERIOD_SHARE = 0.08
@@ -107,12 +108,17 @@ def scheduled_lengths(shortest: float, longest: float, rows: int = ROWS) -> Floa
     InputError
         For rope lengths that are not positive or not ascending.
     """
-    ends, fault = np.array([shortest, longest]), np.zeros(SetupFault.SIZE)
+    ends, fault = numbers("rope lengths", [shortest, longest]), np.zeros(SetupFault.SIZE)
+    if ends.ndim > 1:
+        raise InputError(
+            f"rope lengths must be two numbers, got {shown(shortest)} and {shown(longest)}"
+        )
     status = backend.check_lengths(ends, fault)
     if status != SetupStatus.FITS:
         raise InputError(SETUP.text(status, fault.tolist()))
-    lengths = np.zeros(rows)
-    return lengths[: backend.table_lengths(shortest, longest, rows, lengths)].copy()
+    lengths = np.zeros(as_index("rows", rows, MOST_ROWS, least=1))
+    first, last = ends.tolist()
+    return lengths[: backend.table_lengths(first, last, lengths.size, lengths)].copy()
 
 
 def rope_range(crane: Crane, length: float) -> tuple[float, float]:

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, sized
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
 from segfmu.crane.variables import fed, filled, values
@@ -168,13 +168,15 @@ def design_observer(
         For a period or rope lengths that are not positive, for negative or long delays, and for
         numbers so large or small that the gains are not finite.
     """
+    expected = uncertainty or Uncertainty()
+    require_kind("crane", crane, Crane)
+    require_kind("uncertainty", expected, Uncertainty)
     require_positive("sample_time", sample_time)
     lags = sized("lag", lag, 3)
     for name, value in zip(("bridge", "trolley", "hoist"), lags, strict=True):
         require_not_negative(f"lag of the {name}", value)
     _require_delays(sample_time, delayed, dead_time)
     lengths = scheduled_lengths(shortest, longest, rows)
-    expected = uncertainty or Uncertainty()
     steps = expected.vector
     backend.set_steps(np.zeros(Sensors.SIZE), float(lengths[-1]), steps)
     known = replace(expected, **dict(zip(STEPS, steps.tolist(), strict=False)))

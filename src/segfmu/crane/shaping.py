@@ -171,6 +171,7 @@ def zvd(frequency: float, damping: float = 0.0) -> Shaper:
 def _decay(frequency: float, damping: float) -> tuple[float, float]:
     """Decay over half an oscillation, and its duration [s]."""
     require_positive("frequency", frequency)
+    require_finite("damping", damping)
     if not 0.0 <= damping < 1.0:
         raise InputError(f"damping must be a ratio from 0 to below 1, got {shown(damping)}")
     root = sqrt(1.0 - damping**2)

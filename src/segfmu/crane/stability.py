@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray, sized
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.arrays import FloatArray, as_tuple, sized
+from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.linear import lagged, matrices, sampled
 from segfmu.crane.tracking import ESTIMATE, TrackingController
 from segfmu.kernels import backend
@@ -117,6 +117,7 @@ def largest_eigenvalue(
     InputError
         For a length that is not positive, and for a negative payload or lag.
     """
+    require_kind("controller", controller, TrackingController)
     require_positive("length", length)
     require_not_negative("payload", payload)
     lags = sized("lag", lag, 3).copy()
@@ -159,12 +160,16 @@ def stability_map(
     payloads: ArrayLike,
     lag: ArrayLike = (0.0, 0.0, 0.0),
 ) -> FloatArray:
-    """`largest_eigenvalue` at rope lengths (m,) [m] and payloads (n,) [kg], shape (m, n)."""
+    """`largest_eigenvalue` at rope lengths (m,) [m] and payloads (n,) [kg], shape (m, n).
+
+    Raises
+    ------
+    InputError
+        As that does, and for what is no list.
+    """
+    rows, columns = as_tuple("lengths", lengths), as_tuple("payloads", payloads)
     return np.array(
-        [
-            [largest_eigenvalue(controller, float(x), float(m), lag) for m in np.asarray(payloads)]
-            for x in np.asarray(lengths)
-        ]
+        [[largest_eigenvalue(controller, x, m, lag) for m in columns] for x in rows]
     )
 
 

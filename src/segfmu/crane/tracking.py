@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, shown, sized
-from segfmu.crane.checks import require_not_negative, require_positive
+from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import SIGNS
 from segfmu.crane.observer import Observer
@@ -111,6 +111,8 @@ class TrackingController:
         rope_offset: bool = False,
         enabled: bool = True,
     ) -> None:
+        require_kind("observer", observer, Observer)
+        require_kind("feedback", feedback, SwayFeedback)
         require_positive("payload_time", payload_time)
         if offset_cause not in CAUSES:
             raise InputError(f"offset_cause must be wind or sensor, got {shown(offset_cause)}")

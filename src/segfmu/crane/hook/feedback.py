@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray
-from segfmu.crane.checks import lags_of, require_positive, require_weights
+from segfmu.crane.checks import lags_of, require_kind, require_positive, require_weights
 from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import scheduled_lengths
 from segfmu.errors import InputError
@@ -118,11 +118,14 @@ def design_hook(
     InputError
         For a period and lengths that are not positive, and negative lags.
     """
+    design = weights or HookWeights()
+    require_kind("crane", crane, HookCrane)
+    require_kind("weights", design, HookWeights)
     require_positive("sample_time", sample_time)
     lengths = scheduled_lengths(shortest, longest, rows)
     plant = crane.crane.plant(driven, lags_of("feedback lag", lag))
     plant[Plant.SUSPENSION : Plant.SLING + 1] = crane.suspension, *crane.tackle
-    chosen = np.array(astuple(weights or HookWeights()))
+    chosen = np.array(astuple(design))
     work = np.zeros((HookDesign.SIZE, 2 * HookAxis.CORRECTION))
     table = np.zeros((lengths.size, HookTable.SIZE, HookTable.COLUMNS))
     for length, block in zip(lengths.tolist(), table, strict=True):
@@ -158,6 +161,7 @@ class HookController:
         self, feedback: HookFeedback, lower: ArrayLike = -1e99, upper: ArrayLike = 1e99,
         velocity_min: ArrayLike = -1e99, velocity_max: ArrayLike = 1e99,
     ) -> None:
+        require_kind("feedback", feedback, HookFeedback)
         self.feedback = feedback
         self.estimates = np.zeros((Axes.SIZE + 1, HookAxis.SIZE))
         self._limits = np.zeros(HookLimits.SIZE)
