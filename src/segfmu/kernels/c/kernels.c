@@ -730,8 +730,8 @@ static bool solve_rotated(array_double_1d problem, array_double_1d axis, array_d
 static int64_t overlong_plateau(array_double_2d work);
 static bool shorten_hold(int64_t row, int64_t touch, int64_t steps, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work);
-static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t add_plateau(array_double_1d axis, array_double_2d work);
+static bool meet_limits(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool may_go_on(array_double_2d work);
 static bool insert_level(int64_t variant, int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool move_instant(int64_t order, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -23234,19 +23234,13 @@ static bool touch_limit(int64_t row, array_double_1d problem, array_double_1d ax
     result = shorten_hold(row, INT64_C(2), INT64_C(4), problem, axis, work);
     return result;
 }
-static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d work)
+static int64_t add_plateau(array_double_1d axis, array_double_2d work)
 {
     int64_t q;
-    int64_t j;
     int64_t kind;
     q = (int64_t)((*cspan_at(&work, INT64_C(101), INT64_C(1)))) + INT64_C(2);
-    for (j = INT64_C(0); j < q - INT64_C(1); j += INT64_C(1))
+    for (kind = INT64_C(1); kind < q; kind += INT64_C(1))
     {
-        kind = q - INT64_C(1) - j;
-        if (upward)
-        {
-            kind = j + INT64_C(1);
-        }
         if ((*cspan_at(&work, INT64_C(196) + kind, INT64_C(0))) > 0.0)
         {
             if (insert_plateau(kind, 0, INT64_C(0), axis, work))
@@ -23257,7 +23251,7 @@ static int64_t add_plateau(bool upward, array_double_1d axis, array_double_2d wo
     }
     return INT64_C(0);
 }
-static bool meet_limits(bool upward, double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
+static bool meet_limits(double longest, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
     array_double_1d passing;
     int64_t q;
@@ -23308,7 +23302,7 @@ static bool meet_limits(bool upward, double longest, array_double_1d problem, ar
         else
         {
             keep_sequence(INT64_C(120), work);
-            added = add_plateau(upward, axis, work);
+            added = add_plateau(axis, work);
             if (added == INT64_C(0))
             {
                 return 0;
@@ -24210,17 +24204,17 @@ static double passing_duration(int64_t way, double longest, array_double_1d prob
     bool found;
     double result;
     restore_sequence(INT64_C(158), work);
-    if (way == INT64_C(3))
+    if (way == INT64_C(2))
     {
         found = tighten(longest, problem, axis, work);
     }
-    else if (way == INT64_C(2))
+    else if (way == INT64_C(1))
     {
         found = slow_down(longest, problem, axis, work);
     }
     else
     {
-        found = meet_limits(way == INT64_C(1), longest, problem, axis, work);
+        found = meet_limits(longest, problem, axis, work);
     }
     if (!found)
     {
@@ -24233,13 +24227,13 @@ static int64_t usual_ways(array_double_1d axis, array_double_2d work)
 {
     if (is_brief(axis))
     {
-        return INT64_C(2);
+        return INT64_C(1);
     }
     if ((*cspan_at(&work, INT64_C(101), INT64_C(12))) == 0.0)
     {
-        return INT64_C(4);
+        return INT64_C(3);
     }
-    return INT64_C(3);
+    return INT64_C(2);
 }
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t ways, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work)
 {
@@ -24249,10 +24243,6 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t wa
     used = INT64_C(0);
     for (way = INT64_C(0); way < ways; way += INT64_C(1))
     {
-        if ((ways == INT64_C(2)) && (way == INT64_C(1)) && (used == INT64_C(0)))
-        {
-            break;
-        }
         found = passing_duration(way, shortest, problem, axis, work);
         if ((found > 0.0) && (found < (1.0 - 1e-09) * shortest))
         {
@@ -24262,7 +24252,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t wa
                 used = write_sequence(phases, problem, axis, work);
                 keep_sequence(INT64_C(139), work);
             }
-            if ((way == INT64_C(3)) || ((way < INT64_C(2)) && (!stays_below(work))))
+            if ((way == INT64_C(2)) || ((way == INT64_C(0)) && (!stays_below(work))))
             {
                 (*cspan_at(&work, INT64_C(101), INT64_C(11))) = 1.0;
                 break;
@@ -25042,7 +25032,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
     if (ramps_suffice(axis))
     {
         attempts = INT64_C(6);
-        ways = INT64_C(2);
+        ways = INT64_C(1);
     }
     for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))
     {

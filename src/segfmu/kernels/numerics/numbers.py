@@ -6,6 +6,11 @@ NEVER = 1e300
 GOLDEN = 0.6180339887498949
 # of two values the second one counts as larger by this factor only: rounding decides nothing
 TIE = 1.000001
+# what rounding leaves, as a share: of a number, of a sum whose terms cancel, and of a distance that
+# profiles cover
+LAST_DIGIT = 2e-16
+ROUNDED = 2e-15
+COVERED = 1e-14
 # two numbers of a motion differ by rounding alone within this share: states, limits
 EQUAL = 1e-12
 # the same of sums of a few phases: durations, and what they gain and cover
@@ -14,5 +19,7 @@ SAME = 1e-13
 GAINED = 1e-10
 # as GAINED, of solutions by Newton's method
 WORTH = 1e-9
+# what is given, a state or a duration, is zero, its limit, or another one, within this share
+NEARLY = 1e-9
 # steps after which a bracket is a point, if its search does not end before
 HALVINGS = 100

@@ -5,7 +5,7 @@ an instant (instant.py). Plateaus become instants as their holds vanish, and lev
 one end go to the other.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER, TIE
+from segfmu.kernels.numerics.numbers import NEVER, TIE, WORTH
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.newton import has_pace
@@ -33,8 +33,6 @@ from segfmu.kernels.planner.sequence import sequence_duration
 
 # changes of it until it has failed
 CHANGES = 10
-# a sequence is better if it costs this share less
-BETTER = 1e-9
 # of the whole duration: what a short level takes at most
 SHORT = 0.1
 
@@ -134,7 +132,7 @@ def insert_instant(
                 return True
             cost = sequence_cost(work)
             if cost < least:
-                least = cost - BETTER * abs(cost)
+                least = cost - WORTH * abs(cost)
                 keep_sequence(PlanWork.TRIED, work)
         restore_sequence(PlanWork.KEPT, work)
     if least < NEVER:

@@ -4,6 +4,7 @@ Their weighted mean covers it. They are in the two lists of phases of a cell (Ce
 and distances in the row NEAREST of the work space.
 """
 
+from segfmu.kernels.numerics.numbers import COVERED
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.phases import speed_bound
 from segfmu.kernels.planner.records import Nearest, PlanWork, Problem
@@ -16,9 +17,6 @@ from segfmu.kernels.planner.timed_cruise import (
     scan_cruises,
     timed_cruise,
 )
-
-# one profile is enough if it misses the distance by this share of what it may cover: by rounding
-COVERED = 1e-14
 
 
 def timed_merged(
@@ -94,6 +92,7 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     target = problem[Problem.DURATION]
     speed = speed_bound(1.0, target, problem, axis)
     speed = max(speed, speed_bound(-1.0, target, problem, axis))
+    # one profile is enough if it misses the distance by rounding
     tiny = COVERED * (abs(distance) + speed * target)
     if above - distance <= tiny:
         return 1.0

@@ -9,6 +9,7 @@ five between the states.
 
 from math import sqrt
 
+from segfmu.kernels.numerics.numbers import ROUNDED, SAME
 from segfmu.kernels.planner.phases import append_change, append_hold
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Gentle, Phase, Problem
@@ -19,12 +20,9 @@ DIFFERENCE = 1e-7
 DETERMINANT = 1e-9
 # starts: half the difference of the levels grows by this from one to the next
 WIDER = 1.5
-# steps until it has failed; shares of the usual speed: slopes of the step before do as well, only
-# rounding is left, and a solution
+# steps until it has failed; share of the usual speed below which slopes of the step before do
 STEPS = 16
 CLOSE = 1e-4
-ROUNDED = 2e-15
-SOLVED = 1e-13
 
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
@@ -220,7 +218,7 @@ def solve_gentle(
         error = reached
         if error <= ROUNDED * speed:
             break
-    return error <= SOLVED * speed
+    return error <= SAME * speed
 
 
 def write_gentle(

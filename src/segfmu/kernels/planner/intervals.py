@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import HALVINGS, SAME
+from segfmu.kernels.numerics.numbers import HALVINGS, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
@@ -30,9 +30,6 @@ GROWTHS = 600
 # how accurately the first feasible duration is found, and the first step, as a share of that
 ACCURACY = 4e-9
 INSIDE = 0.75
-# a duration is a multiple of the sample time within this share of one, and a duration beyond the
-# end of a gap by this share is feasible
-ROUNDED = 1e-9
 # meetings of axes until there is no common duration
 SWEEPS = 100000
 # sample times [s], and the largest count of samples that is a whole number
@@ -113,7 +110,7 @@ def next_feasible(
     for sweep in range(8):
         count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
-            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + ROUNDED)
+            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + NEARLY)
             duration = min(duration, most)
             if set_duration(duration, cell, axis, work):
                 if axis[Axis.PLATEAU] == 0.0 or not ramps_suffice(axis):
@@ -159,7 +156,7 @@ def round_up(duration: float, sample_time: float) -> float:
     """The next multiple of the sample time, or the duration itself if there is none."""
     if sample_time <= 0.0:
         return duration
-    samples = duration / sample_time - ROUNDED
+    samples = duration / sample_time - NEARLY
     if not samples < WHOLE:
         return duration
     return ceil(samples) * sample_time

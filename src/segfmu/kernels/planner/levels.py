@@ -11,13 +11,12 @@ the ratio of a ramp's duration to its change never grows with the change.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import HALVINGS
+from segfmu.kernels.numerics.numbers import HALVINGS, LAST_DIGIT
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
 
-# shares of rounding in the gain of a velocity, in the balance of two levels, and in a time
+# shares of rounding in the gain of a velocity, and in a time
 GAIN = 1e-14
-BALANCE = 2e-16
 TIME = 4e-16
 # near a root: the slope is known, and Halley's method is worth it
 NEAR = 1e-9
@@ -99,7 +98,7 @@ def root_level(
         first = 0.5 * (a + level) * t
         second = 0.5 * (level + b) * t_end
         error = first + second - gain
-        if abs(error) <= BALANCE * (abs(first) + abs(second)):
+        if abs(error) <= LAST_DIGIT * (abs(first) + abs(second)):
             return t, level
         if error > 0.0:
             upper = t

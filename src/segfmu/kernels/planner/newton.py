@@ -3,6 +3,7 @@
 from math import floor, sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
+from segfmu.kernels.numerics.numbers import EQUAL, ROUNDED
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import (
@@ -31,9 +32,7 @@ STEPS = 30
 HALVINGS = 8
 # what four steps leave of an error where they get anywhere
 HOPEFUL = 0.7
-# errors: of rounding alone; of a solution, and beside one; and near enough to leave the grid GRID
-ROUNDED = 2e-15
-SOLVED = 1e-12
+# errors beside a solution, and near enough to one to leave the grid GRID
 BESIDE = 1e-11
 NEAR = 1e-4
 GRID = 1e-10
@@ -271,4 +270,4 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
             break
         error = reached
     work[PlanWork.TIGHTEN, Tighten.STEPS] = spent
-    return error <= SOLVED
+    return error <= EQUAL

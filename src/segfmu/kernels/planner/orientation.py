@@ -5,17 +5,15 @@ an order, and stop: of the four ways to write a problem they always see the same
 have the same plan.
 """
 
+from segfmu.kernels.numerics.numbers import NEARLY
 from segfmu.kernels.planner.phases import mirror_phases, reverse_phases, reverse_problem
 from segfmu.kernels.planner.records import Axis, Passing, PlanStatus, Problem
 from segfmu.kernels.planner.sides import mirror_axis, reverse_axis, top_acceleration
 
-# a velocity or acceleration is zero within this share of its scale
-NO_VALUE = 1e-9
-
 
 def beyond_rounding(value: float, scale: float) -> float:
     """A value, 0 where only rounding separates it from that."""
-    if abs(value) <= NO_VALUE * scale:
+    if abs(value) <= NEARLY * scale:
         return 0.0
     return value
 

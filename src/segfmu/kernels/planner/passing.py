@@ -5,7 +5,7 @@ a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If t
 sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
 
-from segfmu.kernels.numerics.numbers import WORTH
+from segfmu.kernels.numerics.numbers import EQUAL, SAME, WORTH
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
@@ -32,9 +32,6 @@ from segfmu.kernels.planner.tighten import tighten
 SLOWER = 0.97
 PACES = 24
 PACE_ERROR = 1e-4
-# a level's time is nothing below this share of the whole, and a moment below this of its scale
-NO_TIME = 1e-13
-NO_LEVEL = 1e-12
 # steps of a duration that is approached: the least one as a share of the way, what tightening may
 # take at each of them, and in all
 LEAST_STEP = 0.01
@@ -76,7 +73,7 @@ def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> N
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     for i in range(int(passing[Passing.COUNT])):
-        short = abs(nodes[i, Node.TIME]) < NO_TIME * passing[Passing.TIME]
+        short = abs(nodes[i, Node.TIME]) < SAME * passing[Passing.TIME]
         if short and nodes[i, Node.KIND] == 0.0:
             nodes[i, Node.TIME] = 0.0
     run_sequence(problem, passing, axis, nodes, work[PlanWork.RESIDUAL, :])
@@ -96,7 +93,7 @@ def idle_time(i: int, axis: 'float[:]', work: 'float[:,:]') -> float:
         return 0.0
     spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
     scale = residual_scale(int(passing[Passing.ABOVE]) + 1, passing, axis)
-    if abs(work[row, Node.LEVEL]) * spent > NO_LEVEL * scale:
+    if abs(work[row, Node.LEVEL]) * spent > EQUAL * scale:
         return 0.0
     return spent
 
@@ -154,16 +151,15 @@ def passing_duration(
 ) -> float:
     """Duration of the solved sequence after it meets the limits in one of several ways.
 
-    Plateaus of derivatives of high order first (0), of low order first (1), a slower pace (2), or
-    limits that come down in steps (3). -1: there is none.
+    Plateaus (0), a slower pace (1), or limits that come down in steps (2). -1: there is none.
     """
     restore_sequence(PlanWork.SOLVED, work)
-    if way == 3:
+    if way == 2:
         found = tighten(longest, problem, axis, work)
-    elif way == 2:
+    elif way == 1:
         found = slow_down(longest, problem, axis, work)
     else:
-        found = meet_limits(way == 1, longest, problem, axis, work)
+        found = meet_limits(longest, problem, axis, work)
     if not found:
         return -1.0
     return sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
@@ -172,10 +168,10 @@ def passing_duration(
 def usual_ways(axis: 'float[:]', work: 'float[:,:]') -> int:
     """In how many ways sequences meet the limits (`passing_duration`)."""
     if is_brief(axis):
-        return 2
+        return 1
     if work[PlanWork.PASSING, Passing.PLAIN] == 0.0:
-        return 4
-    return 3
+        return 3
+    return 2
 
 
 def shortest_way(
@@ -188,16 +184,13 @@ def shortest_way(
     """
     used = 0
     for way in range(ways):
-        # the second of two hardly helps where the first one fails
-        if ways == 2 and way == 1 and used == 0:
-            break
         found = passing_duration(way, shortest, problem, axis, work)
         if found > 0.0 and found < (1.0 - WORTH) * shortest:
             shortest = found
             if found < longest:
                 used = write_sequence(phases, problem, axis, work)
                 keep_sequence(PlanWork.FOUND, work)
-            if way == 3 or (way < 2 and not stays_below(work)):
+            if way == 2 or (way == 0 and not stays_below(work)):
                 work[PlanWork.PASSING, Passing.SETTLED] = 1.0
                 break
     return used, shortest

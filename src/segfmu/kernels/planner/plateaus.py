@@ -1,7 +1,7 @@
 """Plateaus of a sequence (sequence.py): which derivatives stay at their limits, and where."""
 
 
-from segfmu.kernels.numerics.numbers import TIE
+from segfmu.kernels.numerics.numbers import EQUAL, TIE
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import shift_instants
 from segfmu.kernels.planner.newton import solve_sequence
@@ -12,9 +12,8 @@ from segfmu.kernels.planner.sequence import sequence_duration
 MOST_NODES = 12
 # a plateau takes this share of the level that it begins from
 SHARE = 0.7
-# of the whole duration: what a level at an end takes at first, and what a hold lacks by rounding
+# of the whole duration: what a level at an end takes at first
 NEW = 0.03
-NO_HOLD = 1e-12
 # plateaus and levels that are added until it has failed
 CHANGES = 16
 
@@ -208,7 +207,7 @@ def overlong_plateau(work: 'float[:,:]') -> int:
     """The plateau whose hold is the most below zero; -1 if there is none."""
     passing = work[PlanWork.PASSING, :]
     found = -1
-    least = -NO_HOLD * passing[Passing.TIME]
+    least = -EQUAL * passing[Passing.TIME]
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         kind = int(work[row, Node.KIND])
@@ -247,16 +246,10 @@ def touch_limit(
     return shorten_hold(row, Touch.BELOW, 4, problem, axis, work)
 
 
-def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
-    """Add a plateau of a derivative that exceeds its limit; its order, 0: impossible.
-
-    upward: of the lowest such derivative, else of the highest one.
-    """
+def add_plateau(axis: 'float[:]', work: 'float[:,:]') -> int:
+    """Add a plateau of the lowest derivative that exceeds its limit; its order, 0: impossible."""
     q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
-    for j in range(q - 1):
-        kind = q - 1 - j
-        if upward:
-            kind = j + 1
+    for kind in range(1, q):
         if work[PlanWork.EXCESS + kind, Excess.SHARE] > 0.0:
             if insert_plateau(kind, False, 0, axis, work):
                 return kind
@@ -264,11 +257,11 @@ def add_plateau(upward: bool, axis: 'float[:]', work: 'float[:,:]') -> int:
 
 
 def meet_limits(
-    upward: bool, longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> bool:
     """Add plateaus to a solved sequence, or take their holds, until it keeps all limits.
 
-    upward: the derivatives of low order first. False also as soon as it takes `longest` [s].
+    Those of low order first. False also as soon as it takes `longest` [s].
     """
     passing = work[PlanWork.PASSING, :]
     q = int(passing[Passing.ABOVE]) + 2
@@ -295,7 +288,7 @@ def meet_limits(
             return True
         else:
             keep_sequence(PlanWork.KEPT, work)
-            added = add_plateau(upward, axis, work)
+            added = add_plateau(axis, work)
             if added == 0:
                 return False
     return False

@@ -1,11 +1,10 @@
 """Checks of waypoints and limits before planning."""
 
+from segfmu.kernels.numerics.numbers import NEARLY
 from segfmu.kernels.planner.intervals import LONGEST_SAMPLE, SHORTEST_SAMPLE, WHOLE, round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
-# a velocity or acceleration is zero, or its limit, within this share of it
-NEARLY = 1e-9
-# and one that is rounded again stays as it is
+# what is rounded again stays as it is within this share
 ROUNDED = 1e-15
 # the largest double
 LARGEST = 1.7976931348623157e308

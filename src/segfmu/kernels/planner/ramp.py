@@ -10,11 +10,8 @@ jerk's variance is the sum of w_i^2 / 12. A rise is at most half of the one it b
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import HALVINGS
+from segfmu.kernels.numerics.numbers import HALVINGS, LAST_DIGIT
 from segfmu.kernels.planner.records import Axis
-
-# a step of a root by less than its last digit
-LAST_DIGIT = 2e-16
 
 
 def inner_rise(rise: float, level: int, axis: 'float[:]') -> float:

@@ -3,18 +3,13 @@
 BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
-from segfmu.kernels.numerics.numbers import GOLDEN, HALVINGS
+from segfmu.kernels.numerics.numbers import COVERED, GOLDEN, HALVINGS, LAST_DIGIT, ROUNDED
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
 
-# a root within a share of the newest parameter, and a sum whose terms may cancel within one of them
-ROOT = 2e-16
-ROUNDED = 2e-15
-# the first member covers the target within this share
-COVERED = 1e-14
 # steps of golden section, doublings to a parameter that has a member and to one that covers enough
 SECTIONS = 30
 DOUBLINGS = 60
@@ -71,7 +66,7 @@ def bracketed_root(
     if family[Family.BY_TIME] != 0.0:
         speed = 0.0
     for i in range(HALVINGS):
-        if e_newest == 0.0 or abs(newest - other) <= ROOT * abs(newest):
+        if e_newest == 0.0 or abs(newest - other) <= LAST_DIGIT * abs(newest):
             break
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         p = newest + share * (other - newest)

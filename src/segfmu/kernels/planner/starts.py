@@ -6,7 +6,7 @@ levels that alternate.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import NEARLY, NEVER
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
@@ -30,8 +30,6 @@ from segfmu.kernels.planner.records import (
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 
-# a hold is none below this share of a ramp, and a limit is reached within it
-ROUNDED = 1e-9
 # levels of a start, as shares of those that alone fill the duration
 ALTERNATING = 0.7
 FASTER = 0.35
@@ -41,7 +39,7 @@ HIGHER = 1.25
 MORE = 1.3
 LESS = 0.8
 # what a sequence without plateaus may exceed limits by, and what it takes of one with them
-NEARLY = 0.3
+BEYOND = 0.3
 SHORTER = 0.9
 
 
@@ -72,7 +70,7 @@ def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
         return
     time = rise - inner_rise(rise, 1, axis)
     append_level(sign, time, work)
-    if hold > ROUNDED * duration:
+    if hold > NEARLY * duration:
         count = int(work[PlanWork.PASSING, Passing.COUNT])
         insert_node(count, 3, sign, hold, False, work)
     append_level(-sign, time, work)
@@ -82,10 +80,10 @@ def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
     """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
     order = 0
     value = 0.0
-    if abs(a) >= side_limit(2, a, axis) * (1.0 - ROUNDED):
+    if abs(a) >= side_limit(2, a, axis) * (1.0 - NEARLY):
         order = 2
         value = a
-    elif a == 0.0 and abs(v) >= side_limit(1, v, axis) * (1.0 - ROUNDED):
+    elif a == 0.0 and abs(v) >= side_limit(1, v, axis) * (1.0 - NEARLY):
         order = 1
         value = v
     if value < 0.0:
@@ -216,7 +214,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     if is_brief(axis) or is_resting(problem, axis):
         return False
     # beside one with plateaus it has to keep the limits nearly
-    most = NEARLY
+    most = BEYOND
     if int(passing[Passing.COUNT]) == q:
         most = NEVER
     duration = sequence_duration(passing, nodes)

@@ -4,7 +4,7 @@ A cruise velocity is possible if its velocity changes leave time for a cruise. T
 form one or several windows; within a window the distance is continuous.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS
+from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, ROUNDED
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import (
@@ -19,8 +19,6 @@ from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
 # errors of the duration [share] and the velocity that a profile may have
 TIME_ERROR = 3e-11
 VELOCITY_ERROR = 1e-11
-# of a distance
-ROUNDED = 2e-15
 # of an edge between cruises, as a share of the interval that it lies in
 EDGE = 1e-10
 # cruise velocities that are tried, and widenings of the range around one that is near

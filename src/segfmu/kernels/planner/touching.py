@@ -124,7 +124,7 @@ def touching_starts(
     if ramps_suffice(axis):
         # of 2,576 problems with barely braked states others would shorten two, in more time
         attempts = FEW
-        ways = 2
+        ways = 1
     for attempt in range(attempts):
         variant, share = touching_guess(attempt)
         if (variant < 4 or variant > 5) and not first:

@@ -6,15 +6,13 @@ So its distance lies between two lines in its duration.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import EQUAL
+from segfmu.kernels.numerics.numbers import EQUAL, NEARLY
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 
 # end accelerations on both sides of zero leave a window where one is this small beside the other
 SMALL = 0.2
-# distances and durations of a window differ by rounding within this share
-ROUNDED = 1e-9
 
 
 def least_lever(c: float, gain: float, top: float, axis: 'float[:]') -> float:
@@ -71,7 +69,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
         late = least_lever(b, gain - first, top, axis) - a * first / (3.0 * jerk)
         early = least_lever(a, gain - last, top, axis) - b * last / (3.0 * jerk)
     # (v + first) T + late <= distance <= (w - last) T - early, up to rounding
-    rounding = ROUNDED * (abs(distance) + abs(late) + abs(early))
+    rounding = NEARLY * (abs(distance) + abs(late) + abs(early))
     late = late - rounding
     early = early - rounding
     least = max(single, gain / top)
@@ -90,9 +88,9 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
         most = min(most, (distance + early) / fastest)
     elif distance + early > 0.0:
         return 0.0
-    if most < least * (1.0 - ROUNDED):
+    if most < least * (1.0 - NEARLY):
         return 0.0
-    return min(most * (1.0 + ROUNDED), duration)
+    return min(most * (1.0 + NEARLY), duration)
 
 
 def short_window(

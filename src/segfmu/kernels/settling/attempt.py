@@ -5,7 +5,7 @@ goes back to zero. Let go so, the derivative stays inside its limits. Where it c
 attempt is cut (brake.py); the rest of it shows that there is a way on.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import NEVER, SAME
 from segfmu.kernels.numerics.polynomials import polynomial_differentiate, polynomial_shift
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
@@ -15,9 +15,8 @@ from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Brake, Check, Timing
 
-# of the range of a derivative: by how much it is beyond a limit by rounding, and may leave its
-# limits in an attempt, which is checked once more
-ROUNDED = 1e-13
+# of the range of a derivative: by how much it may leave its limits in an attempt, which is checked
+# once more
 INSIDE = 1e-10
 # of a piece: a part in which a derivative crosses its limit once, and the shortest one
 MONOTONIC = 1e-3
@@ -30,7 +29,7 @@ def outside_by(value: float, order: int, lead: 'float[:,:]') -> float:
     """How far a value of a derivative is beyond its limits; at most 0 inside, up to rounding."""
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    return max(value - high, low - value) - ROUNDED * (high - low)
+    return max(value - high, low - value) - SAME * (high - low)
 
 
 def hold_highest(
@@ -163,7 +162,7 @@ def inside_from(
     width = coefficients.shape[1]
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    slack = ROUNDED * (high - low)
+    slack = SAME * (high - low)
     for i in range(last - first):
         row = last - 1 - i
         length = timing[row, Timing.LENGTH]
