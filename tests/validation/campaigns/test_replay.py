@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,15 @@ name = "probe"
 path = "one.fmu"
 [[profiles]]
 file = "one.csv"
+"""
+DESCRIPTION = """
+<fmiModelDescription fmiVersion="2.0" modelName="Probe" guid="probe">
+  <CoSimulation modelIdentifier="Probe"/>
+  <ModelVariables>
+    <ScalarVariable name="x" valueReference="0"><Real/></ScalarVariable>
+  </ModelVariables>
+  <ModelStructure/>
+</fmiModelDescription>
 """
 
 
@@ -55,7 +65,8 @@ def test_files_are_beside_the_campaign_that_names_them(
         text = (MODELS / "inteco.toml").read_text(encoding="utf-8")
         crane = (MODELS / "crane_inteco.toml").as_posix()
         (path.parent / f"{name}.toml").write_text(text.replace("crane_inteco.toml", crane), "utf-8")
-        (path.parent / f"{name}.fmu").touch()
+        with zipfile.ZipFile(path.parent / f"{name}.fmu", "w") as archive:
+            archive.writestr("modelDescription.xml", DESCRIPTION)
         (path.parent / f"{name}.csv").write_text("time,wind.x\n0,0\n1,0\n", encoding="utf-8")
     (tmp_path / "out").mkdir()
     monkeypatch.chdir(tmp_path)
