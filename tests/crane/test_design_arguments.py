@@ -15,13 +15,15 @@ from segfmu.errors import InputError
 CRANE = Crane(bridge_mass=2.2, trolley_mass=1.155, payload_mass=1.0)
 ENDS = {"sample_time": 0.01, "shortest": 0.5, "longest": 0.9}
 OTHERS: tuple[Any, ...] = (1.0, "one", [1.0, [2.0]], object())
+# the same in each process
+NAMES = ("number", "text", "nested list", "object")
 DESIGNS = {
     "lqr": cranes.design_lqr, "flat": cranes.design_flat, "observer": cranes.design_observer,
     "hook": hook.design_hook,
 }
 
 
-@pytest.mark.parametrize("other", OTHERS, ids=str)
+@pytest.mark.parametrize("other", OTHERS, ids=NAMES)
 @pytest.mark.parametrize("design", DESIGNS)
 def test_a_design_takes_a_crane_between_two_lengths(design: str, other: Any) -> None:
     own: Any = CRANE
@@ -41,7 +43,7 @@ def test_a_design_takes_a_crane_between_two_lengths(design: str, other: Any) -> 
             call(own, **ENDS, **{name: other})
 
 
-@pytest.mark.parametrize("other", OTHERS, ids=str)
+@pytest.mark.parametrize("other", OTHERS, ids=NAMES)
 def test_controllers_and_maps_take_what_was_designed(other: Any) -> None:
     observer = cranes.design_observer(CRANE, **ENDS)
     feedback = cranes.design_lqr(CRANE, **ENDS)
