@@ -212,6 +212,8 @@ def test_values_of_all_kinds(pair, caplog) -> None:
         ({"a": {"x": True}}, "x takes a number, got True"),
         ({"a": {"n": True}}, "n takes a number, got True"),
         ({"a": {"flag": "yes"}}, "flag takes true or false, got 'yes'"),
+        ({"a": {"flag": 2}}, "flag takes true or false, got 2"),
+        ({"a": {"flag": 0.5}}, "flag takes true or false, got 0.5"),
         ({"a": {"x": "much"}}, "x takes a number"), ({"a": {"x": None}}, "x takes a number"),
         ({"a": {"x": [1.0, 2.0]}}, "x takes one value, got 2"), ({"b": {"tiny": 200}}, "of 8 bits"),
         ({"a": {"text": 5}}, "text takes a text"), ({"a": {"text": "a\0b"}}, "zero byte"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -125,17 +126,41 @@ def test_a_column_that_no_fmu_has_is_told(runner: Runner, tmp_path: Path) -> Non
         runner.run(replace(scenario, recordings=(load_recording(path),)))
 
 
-@pytest.mark.parametrize(("column", "told"), [
-    ("command.modes", r"r\.csv: column command\.modes is no variable of .* mean command\.mode\?"),
-    ("bridge.position", r"r\.csv, line 3: GantryCrane: bridge\.position cannot change"),
-    ("velocity.bridge", r"r\.csv, line 3: GantryFeedforward: velocity\.bridge cannot change"),
+@pytest.mark.parametrize(("column", "value", "told"), [
+    ("command.modes", "0", "column command.modes is no variable of .* mean command.mode?"),
+    ("bridge.position", "0", "line 3: GantryCrane: bridge.position cannot change"),
+    ("velocity.bridge", "0", "line 3: GantryFeedforward: velocity.bridge cannot change"),
+    ("reference.bridge.position", "0", "line 3: GantryFeedforward: reference.* cannot change"),
+    ("limits.scale", "1.5", "line 3: GantryFeedforward: limits.scale must be at most 1, got 1.5"),
+    ("command.target.x", "1e300", "line 3: .* command.target.x must be at most 1000000, got 1e"),
+    ("command.go", "0.5", "line 3: GantryFeedforward: command.go takes true or false, got 0.5"),
+    ("wind.x", "much", "line 3: GantryCrane: wind.x takes a number, got 'much'"),
+    ("wind.x", "true", "line 3: GantryCrane: wind.x takes a number, got True"),
+    ("command.go", "2", "line 3: GantryFeedforward: command.go takes true or false, got 2"),
+    ("feedback.source", "0", "line 3: GantryCrane: feedback.source cannot change"),
 ])
-def test_wrong_columns_are_told_before_there_are_fmus(
-    column: str, told: str, tmp_path: Path
+def test_what_is_wrong_in_a_recording_is_told_before_there_are_fmus(
+    column: str, value: str, told: str, tmp_path: Path
 ) -> None:
     path = tmp_path / "r.csv"
-    path.write_text(f"# lab\ntime,command.mode,{column}\n0,stop,0\n", encoding="utf-8")
-    with pytest.raises(InputError, match=told):
+    path.write_text(f"# lab\ntime,command.mode,{column}\n0,stop,{value}\n", encoding="utf-8")
+    words = re.escape(told).replace(re.escape(".*"), ".*")
+    with pytest.raises(InputError, match=rf"r\.csv.*{words}"):
+        segfmu.simulate(
+            FOLDER / "lab" / "_mission.toml", commands=path, output=tmp_path / "out"
+        )
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(("value", "told"), [
+    ("9", "must be at most 6, got 9"), ("0.5", "takes an integer"), ("fly", "takes mission, "),
+])
+def test_modes_of_a_recording_are_told_before_there_are_fmus(
+    value: str, told: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "r.csv"
+    path.write_text(f"time,command.mode\n0,{value}\n", encoding="utf-8")
+    with pytest.raises(InputError, match=rf"r\.csv, line 2: .*: command\.mode {told}"):
         segfmu.simulate(
             FOLDER / "lab" / "_mission.toml", commands=path, output=tmp_path / "out"
         )

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, field
-from math import inf
 from typing import Any
 
 from numpy.typing import NDArray
 
 from segfmu.arrays import as_tuple, finite_number, require_mapping, shown
 from segfmu.cosim.channel import Call, Channel
+from segfmu.cosim.domain import Domain, domain
 from segfmu.cosim.unit import Unit
 from segfmu.errors import InputError, meant
-
-# name of a variable, its least and its greatest value
-Range = tuple[str, float, float]
 
 
 @dataclass(frozen=True)
@@ -85,7 +82,7 @@ def due(
     """
     names = list(units)
     found = []
-    right: dict[tuple[str, tuple[str, ...]], list[Range]] = {}
+    right: dict[tuple[str, tuple[str, ...]], list[tuple[str, Domain]]] = {}
     for change in as_tuple("changes", changes):
         if not isinstance(change, Change):
             raise InputError(f"changes must be segfmu.cosim.Change, got {shown(change)}")
@@ -104,7 +101,7 @@ def due(
         try:
             if own not in right:
                 require_changeable(change, unit.variables, connected)
-                right[own] = list(_ranges(unit, change.values))
+                right[own] = list(_bounded(unit, change.values))
             assignments = unit.assignments(change.values)
             _require_within(change, right[own])
             found.append(Due(time, names.index(change.fmu), assignments))
@@ -113,24 +110,18 @@ def due(
     return sorted(found, key=lambda d: d.time)
 
 
-def _ranges(unit: Unit, names: Iterable[str]) -> Iterator[Range]:
-    """Of the variables of an FMU those with a least or a greatest value, and these."""
+def _bounded(unit: Unit, names: Iterable[str]) -> Iterator[tuple[str, Domain]]:
+    """Of the variables of an FMU those with a least or a greatest value."""
     for name in names:
         variable = unit.variables[name]
-        items = [int(item.value) for item in getattr(variable.declaredType, "items", None) or ()]
-        low = float(variable.min or min(items, default=-inf))
-        high = float(variable.max or max(items, default=inf))
-        if low > -inf or high < inf:
-            yield name, low, high
+        own = domain(variable, unit.TYPES[variable.type])
+        if own.bounded:
+            yield name, own
 
 
-def _require_within(change: Change, ranges: Iterable[Range]) -> None:
-    for name, low, high in ranges:
-        value = change.values[name]
-        # what else is no number is told with its type
-        if isinstance(value, int | float) and not low <= value <= high:
-            bound = f"least {low:.15g}" if value < low else f"most {high:.15g}"
-            raise InputError(f"{change.fmu}: {name} must be at {bound}, got {shown(value)}")
+def _require_within(change: Change, domains: Iterable[tuple[str, Domain]]) -> None:
+    for name, own in domains:
+        own.require_within(f"{change.fmu}: {name}", change.values[name])
 
 
 def require_changeable(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Mapping, Sequence
-from math import isfinite, prod
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import shown
 from segfmu.cosim.channel import Channel
+from segfmu.cosim.domain import Domain, domain
 from segfmu.errors import InputError, meant
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ class Setter:
     def __init__(self, unit: Unit) -> None:
         self._unit = unit
         self._channels: dict[str, Channel] = {}
+        self._domains: dict[str, Domain] = {}
         self._texts: dict[str, Any] = {}
         self._groups: dict[tuple[str, ...], list[tuple[tuple[str, ...], Channel]]] = {}
 
@@ -134,26 +136,14 @@ class Setter:
         owner, kind = self._unit.name, self._unit.TYPES[variable.type]
         if kind is str:
             return self._text(variable, value)
-        if isinstance(value, str):
-            items = {i.name: int(i.value) for i in getattr(variable.declaredType, "items", [])}
-            if value not in items:
-                allowed = ", ".join(items) or ("true or false" if kind is bool else "a number")
-                raise InputError(f"{owner}: {variable.name} takes {allowed}, got {shown(value)}")
-            return items[value]
-        if isinstance(value, bool | np.bool_) and kind is not bool:
-            raise InputError(f"{owner}: {variable.name} takes a number, got {shown(value)}")
-        try:
-            number = float(value)
-        except (TypeError, ValueError, OverflowError):
-            raise InputError(
-                f"{owner}: {variable.name} takes a number, got {shown(value)}"
-            ) from None
-        if kind is float:
-            return number
-        if not isfinite(number) or number != int(number):
-            raise InputError(f"{owner}: {variable.name} takes an integer, got {shown(value)}")
-        # exact where a float is not
-        return value if isinstance(value, int) else int(number)
+        return self._domain(variable).number(f"{owner}: {variable.name}", value)
+
+    def _domain(self, variable: Any) -> Domain:
+        found = self._domains.get(variable.name)
+        if found is None:
+            found = domain(variable, self._unit.TYPES[variable.type])
+            self._domains[variable.name] = found
+        return found
 
     def _text(self, variable: Any, value: Any) -> int:
         if not isinstance(value, str):

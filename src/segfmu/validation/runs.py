@@ -237,10 +237,11 @@ def simulate(
     if not isinstance(commands, str | Path | None):
         raise InputError(f"commands must be the path of a file, got {shown(commands)}")
     recording = None if commands is None else load_recording(Path(commands))
+    changes = []
     if recording is not None:
         with about(task.file):
             require_gantry(task.build_crane(), "commands")
-        recorded(task, recording)
+        changes = recorded(task, recording)
     with about(task.file):
         trajectory = planned(task, progress)
         ends = arrival(task, trajectory, recording)
@@ -250,8 +251,8 @@ def simulate(
         place = stack.enter_context(work_folder()) if output is None else folder(output)
         archives = for_simulation(task, trajectory, place, progress)
         rows = run(
-            task, archives.feedforward, archives.crane, trajectory,
-            lambda share: progress("co-simulating", share), recording,
+            task, archives.feedforward, archives.crane, trajectory, ends,
+            lambda share: progress("co-simulating", share), changes,
         )
         require_there(archives)
     rows.flags.writeable = False

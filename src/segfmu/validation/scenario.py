@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import radians
+from collections.abc import Callable, Sequence
+from functools import cache
+from math import inf, radians
 from pathlib import Path
 
 import numpy as np
@@ -11,12 +12,13 @@ from numpy.typing import NDArray
 
 from segfmu.cosim import Change, simulate
 from segfmu.cosim.change import require_changeable
+from segfmu.cosim.domain import Domain
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.errors import InputError
 from segfmu.fmu.feedforward.interface import FAR, WAYPOINTS
 from segfmu.fmu.gantry_crane.pair import GANTRY
 from segfmu.fmu.pair import ModelPair
-from segfmu.fmu.standard.spec import Spec, started
+from segfmu.fmu.standard.spec import Spec, Variable, started
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import DriveBounds
 from segfmu.planning import Trajectory
@@ -27,13 +29,14 @@ from segfmu.validation.files.crane_models import model_of, table_of
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.objects import LIMITS
-from segfmu.validation.files.recording import Recording
+from segfmu.validation.files.recording import COMMANDS, Recording
 
 QUANTITIES = ("position", "velocity", "acceleration")
 # of which these may be free
 FREE = QUANTITIES[1:]
 # parameters that the archive of a native FMU no longer has
 AT_BUILD = "feedback.weight."
+KINDS: dict[str, type] = {"Real": float, "Integer": int, "Enumeration": int, "Boolean": bool}
 
 
 def sized(waypoints: int | None = None, models: ModelPair = GANTRY) -> tuple[Spec, Spec]:
@@ -208,23 +211,38 @@ def crane_values(mission: Mission) -> dict[str, float | str]:
 
 
 def recorded(mission: Mission, recording: Recording) -> list[Change]:
-    """What a recording changes in the FMUs of a mission.
+    """What a recording changes in the FMUs of a mission, which there need not be yet.
 
     Raises
     ------
     InputError
-        For a column that is no variable of theirs, or one that cannot change during a run.
+        For a column that is no variable of theirs, or one that cannot change during a run, and a
+        value that its variable does not take.
     """
     models = crane_parameters.models(mission.crane)
     interfaces = sized(max(WAYPOINTS, len(mission.waypoints)), models)
     variables = {spec.name: {v.name: v for v in spec.variables} for spec in interfaces}
+    connected = {(models.crane, name) for name in models.shared}
     changes = list(recording.changes(variables))
     for change in changes:
+        own = variables[change.fmu]
         try:
-            require_changeable(change, variables[change.fmu], frozenset())
+            require_changeable(change, own, connected)
+            for name, value in change.values.items():
+                told, domain = f"{change.fmu}: {name}", _domain(own[name])
+                domain.number(told, value)
+                domain.require_within(told, value)
         except InputError as error:
             raise InputError(f"{change.origin}: {error}") from None
     return changes
+
+
+@cache
+def _domain(variable: Variable) -> Domain:
+    items = () if variable.enumeration is None else variable.enumeration.items
+    least = variable.minimum if variable.minimum is not None else 1 if items else -inf
+    most = variable.maximum if variable.maximum is not None else len(items) or inf
+    return Domain(KINDS[variable.kind], least, most, {n: i for i, n in enumerate(items, 1)})
 
 
 def run(
@@ -232,20 +250,20 @@ def run(
     feedforward: Path,
     crane: Path,
     trajectory: Trajectory,
+    until: float,
     progress: Callable[[float], None] = lambda _: None,
-    recording: Recording | None = None,
+    changes: Sequence[Change] = (),
 ) -> NDArray[np.void]:
-    """Co-simulate a mission for the duration of its trajectory plus the settling time.
+    """Co-simulate a mission until a time [s] and its settling time.
 
-    With a recording, until its last row is settled.
+    Where changes are commands, the planner follows them.
     """
-    changes = [] if recording is None else recorded(mission, recording)
-    commanded = recording is not None and recording.commands
+    commanded = any(name.startswith(COMMANDS) for c in changes for name in c.values)
     enabled = {"command.enabled": True} if commanded else {}
     return simulate(
         feedforward,
         crane,
-        stop_time=arrival(mission, trajectory, recording) + mission.simulation.settle,
+        stop_time=until + mission.simulation.settle,
         step=mission.simulation.step,
         source_values=feedforward_values(mission, trajectory) | enabled,
         # weights are those of the build

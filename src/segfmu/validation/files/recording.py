@@ -24,6 +24,8 @@ from segfmu.planning.rows import (
 from segfmu.validation.units import signal_units
 
 TIME = "time"
+# what the names of an operator's commands begin with
+COMMANDS = "command."
 Cell = float | bool | str
 
 
@@ -57,7 +59,7 @@ class Recording:
     @property
     def commands(self) -> bool:
         """Whether there are commands of an operator."""
-        return any(name.startswith("command.") for name in self.columns)
+        return any(name.startswith(COMMANDS) for name in self.columns)
 
     def changes(self, variables: Mapping[str, Collection[str]]) -> Iterator[Change]:
         """What changes when; `variables` of each FMU, of which the first that has one gets it.
