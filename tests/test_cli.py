@@ -355,7 +355,7 @@ def test_output_that_is_removed_meanwhile_is_told(
         shutil.rmtree(tmp_path / "out")
         (tmp_path / "out").mkdir()
 
-    monkeypatch.setattr("segfmu.validation.plots.save", save)
+    monkeypatch.setattr("segfmu.validation.plots.style.save", save)
     code, _, told = invoke(
         monkeypatch, capsys, command, str(MODELS / "paper.toml"), "-o", str(tmp_path / "out")
     )

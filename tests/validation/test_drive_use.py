@@ -20,7 +20,7 @@ from segfmu.validation.files.crane_parameters import bounds as crane_bounds
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.reading import checked
 from segfmu.validation.monitor import Signals, drive_use
-from segfmu.validation.plots import plot_drives
+from segfmu.validation.plots.drives import plot_drives
 
 CRANE = """
 bridge_mass = 2.2

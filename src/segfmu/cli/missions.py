@@ -161,7 +161,7 @@ def simulate(
     """Build the FMUs, co-simulate a mission, write and judge the results."""
     from segfmu.cosim.messages import on_stderr
     from segfmu.validation import runs
-    from segfmu.validation.plots import save
+    from segfmu.validation.plots.style import save
 
     require_folder(output, *RUN_FILES)
     read = [*files_of(mission), commands]
@@ -249,7 +249,10 @@ def _show_plan(
 
 def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int) -> None:
     from segfmu.cosim import write_csv
-    from segfmu.validation.plots import plot_drives, plot_path, plot_plan, save
+    from segfmu.validation.plots.drives import plot_drives
+    from segfmu.validation.plots.path import plot_path
+    from segfmu.validation.plots.plan import plot_plan
+    from segfmu.validation.plots.style import save
     from segfmu.validation.units import signal_units
 
     write_csv(output / "plan.csv", plan_samples(task, trajectory, every), signal_units())

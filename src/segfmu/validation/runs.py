@@ -161,7 +161,10 @@ class Run:
             "run": drives, sway and error; "plan": the plan against its limits; "path":
             from above and from the side; "drives": what the plan asks of them.
         """
-        from segfmu.validation.plots import plot_drives, plot_path, plot_plan, plot_run
+        from segfmu.validation.plots.drives import plot_drives
+        from segfmu.validation.plots.path import plot_path
+        from segfmu.validation.plots.plan import plot_plan
+        from segfmu.validation.plots.run import plot_run
 
         if not isinstance(what, str) or what not in get_args(Picture):
             raise InputError(f"plot: must be run, plan, path or drives, got {shown(what)}")

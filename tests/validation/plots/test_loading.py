@@ -14,7 +14,9 @@ import os, sys
 from pathlib import Path
 from segfmu import Clearance, Limits, Waypoint, plan
 from segfmu.validation import suite_plots
-from segfmu.validation.plots import plot_path, plot_plan, save
+from segfmu.validation.plots.path import plot_path
+from segfmu.validation.plots.plan import plot_plan
+from segfmu.validation.plots.style import save
 
 motion = plan([Waypoint([0.0, 0.0, -2.0]), Waypoint([1.0, 0.0, -2.0])], Limits(1.0, 1.0, 5.0))
 save(plot_plan(motion, "$a_1$"), Path("plan.png"))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.validation.plots import plot_plan
+from segfmu.validation.plots.plan import plot_plan
 from segfmu.validation.report.motion import load_section
 
 LIMITS = Limits(1.0, 1.0, 5.0)

@@ -7,7 +7,7 @@ import pytest
 
 from segfmu import ActuatorBounds, Crane
 from segfmu.crane.bounds import DRIVES
-from segfmu.validation.plots import plot_run
+from segfmu.validation.plots.run import plot_run
 
 CRANES = {"lab": Crane(2.2, 1.155, 1.0), "quay": Crane(300e3, 15e3, 40e3)}
 

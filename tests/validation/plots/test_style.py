@@ -12,8 +12,9 @@ import pytest
 from matplotlib.figure import Figure
 
 from segfmu import CampaignResult, Clearance, Limits, Waypoint, plan
-from segfmu.validation.plots import plot_path, plot_plan
 from segfmu.validation.plots.campaign import plot_campaign
+from segfmu.validation.plots.path import plot_path
+from segfmu.validation.plots.plan import plot_plan
 from segfmu.validation.plots.style import label
 from segfmu.validation.suite_plots import plot_margins
 from tests.campaign import soaked

@@ -15,7 +15,7 @@ import segfmu
 from segfmu.crane.bounds import DRIVES
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.drive_use import PLACES
-from segfmu.validation.plots import plot_plan
+from segfmu.validation.plots.plan import plot_plan
 from segfmu.validation.report import campaign_page, run_page, suite_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
 from segfmu.validation.report.motion import drive_section, load_section, owned
