@@ -152,6 +152,28 @@ def as_index(name: str, value: Any, most: float = inf, *, least: int = 0) -> int
     return number
 
 
+def as_flag(name: str, value: Any) -> bool:
+    """Return `value` as True or False; nothing else is one."""
+    if not isinstance(value, bool | np.bool_):
+        raise InputError(f"{name} must be True or False, got {shown(value)}")
+    return bool(value)
+
+
+def table_of(name: str, value: ArrayLike, *shape: int | None) -> FloatArray:
+    """Return `value` as a read-only array of finite numbers; of any size where `shape` has None."""
+    array = numbers(name, value, "an array of numbers")
+    fits = len(shape) == array.ndim and all(
+        n is None or n == own for n, own in zip(shape, array.shape, strict=True)
+    )
+    if not fits:
+        told = ", ".join("any" if n is None else str(n) for n in shape)
+        raise InputError(f"{name} must have shape ({told}), got {array.shape}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} must be finite")
+    array.setflags(write=False)
+    return array
+
+
 def require_mapping(name: str, value: Any) -> None:
     """InputError for what is no mapping."""
     if not isinstance(value, Mapping):

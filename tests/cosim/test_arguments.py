@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
-from segfmu.cosim import Change, System, profile
+from segfmu.cosim import Change, System, profile, require_steps, write_csv
+from segfmu.cosim.points import communication_points
 from segfmu.errors import InputError, SegfmuError
 from tests.test_nonsense import NONSENSE
 
@@ -80,3 +82,30 @@ def test_a_profile_has_a_value_for_each_time() -> None:
     ]
     with pytest.raises(InputError, match=r"^x has 2 times but 1 values$"):
         profile("a", "x", [0.0, 1.0], [1])
+
+
+@pytest.mark.parametrize("other", [None, list, "one", [1.0, 2.0], float("nan"), 1j])
+def test_steps_and_tables_of_another_kind_are_told(other: Any, tmp_path: Path) -> None:
+    for call in (
+        lambda: require_steps(other, 0.1), lambda: require_steps(1.0, other),
+        lambda: communication_points(0.0, other, 0.1),
+        lambda: write_csv(tmp_path / "t.csv", other),
+        lambda: profile(other, 3, [1.0], [1.0]),  # type: ignore[arg-type]
+        lambda: System([], step=0.1, events=other),
+    ):
+        with pytest.raises(InputError):
+            call()
+
+
+def test_a_table_has_a_path_columns_of_numbers_and_units(tmp_path: Path) -> None:
+    rows = np.zeros(2, [("time", float), ("on", bool)])
+    write_csv(str(tmp_path / "t.csv"), rows, {"time": "s"})
+    assert (tmp_path / "t.csv").read_text().splitlines()[0] == '"time [s]","on"'
+    with pytest.raises(InputError, match="path must be that of a file, got 3"):
+        write_csv(3, rows)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="units must be a mapping"):
+        write_csv(tmp_path / "t.csv", rows, ["s"])  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="column name must have numbers, got <U3"):
+        write_csv(tmp_path / "t.csv", np.zeros(2, [("time", float), ("name", "<U3")]))
+    with pytest.raises(InputError, match="rows must be a structured array"):
+        write_csv(tmp_path / "t.csv", np.zeros((2, 2)))

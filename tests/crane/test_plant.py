@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -220,9 +222,12 @@ def test_a_step_that_is_not_finite_changes_nothing(duration: float, setpoints: S
 
 
 def test_a_controller_without_a_period_is_refused() -> None:
-    feedback = replace(design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0), sample_time=0.0)
+    feedback = design(CRANE, sample_time=0.01, shortest=0.2, longest=1.0)
+    with pytest.raises(InputError, match="sample_time must be a finite number > 0, got 0"):
+        replace(feedback, sample_time=0.0)
+    other: Any = SimpleNamespace(sample_time=0.0)
     with pytest.raises(InputError, match="controller sample_time must be a finite number > 0"):
-        Plant(CRANE, HANGING, HOLD, feedback)
+        Plant(CRANE, HANGING, HOLD, other)
 
 
 def test_gains_may_be_replaced_on_the_way() -> None:

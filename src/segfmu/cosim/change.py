@@ -60,8 +60,11 @@ def profile(
     Raises
     ------
     InputError
-        For other numbers of times than of values.
+        For other numbers of times than of values, and names that are no texts.
     """
+    for told, text in (("fmu", fmu), ("name", name)):
+        if not isinstance(text, str):
+            raise InputError(f"{told} must be a text, got {shown(text)}")
     when, what = as_tuple("times", times), as_tuple("values", values)
     if len(when) != len(what):
         raise InputError(f"{name} has {len(when)} times but {len(what)} values")

@@ -23,8 +23,9 @@ def require_steps(duration: float, step: float) -> None:
     Raises
     ------
     InputError
-        For more than `MAX_STEPS` steps.
+        For more than `MAX_STEPS` steps, and what are no times.
     """
+    duration, step = finite_number("duration", duration), require_step(step)
     steps = duration / step
     if steps > MAX_STEPS:
         raise InputError(
@@ -33,10 +34,12 @@ def require_steps(duration: float, step: float) -> None:
         )
 
 
-def require_step(step: float) -> None:
-    """InputError for a step that is no time above zero."""
-    if not finite_number("step", step) > 0.0:
+def require_step(step: float) -> float:
+    """A step as a number; InputError for one that is no time above zero."""
+    number = finite_number("step", step)
+    if not number > 0.0:
         raise InputError(f"step must be a time > 0 s, got {shown(step)}")
+    return number
 
 
 def step_counts(
@@ -61,8 +64,8 @@ def step_counts(
         For a step that is no multiple, one of the first FMU, and derivatives with several steps.
     """
     counts = dict.fromkeys(names, 1)
-    for owner, own in steps.items():
-        require_step(own)
+    for owner, given in steps.items():
+        own = require_step(given)
         counts[owner] = round(own / step)
         if abs(counts[owner] * step - own) > SAME * own:
             raise InputError(
@@ -80,8 +83,9 @@ def step_counts(
 
 def communication_points(start: float, stop: float, step: float) -> NDArray[np.float64]:
     """Times start + i * step, the last one at stop."""
-    require_step(step)
-    if not finite_number("stop_time", stop) > finite_number("start_time", start):
+    step = require_step(step)
+    start, stop = finite_number("start_time", start), finite_number("stop_time", stop)
+    if not stop > start:
         raise InputError(f"stop_time {stop!r} s must be after start_time {start!r} s")
     require_steps(stop - start, step)
     count = max(ceil((stop - start) / step - SAME), 1)

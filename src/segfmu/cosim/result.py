@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from segfmu.arrays import require_mapping, shown
 from segfmu.errors import InputError
 from segfmu.folders import make_folders, work_folder
 
@@ -48,7 +49,9 @@ def replacing(path: Path) -> Iterator[Path]:
         raise InputError(f"{path}: cannot be written: {error.strerror}") from None
 
 
-def write_csv(path: Path, rows: NDArray[Any], units: Mapping[str, str] | None = None) -> None:
+def write_csv(
+    path: str | Path, rows: NDArray[Any], units: Mapping[str, str] | None = None
+) -> None:
     """Write a structured array as CSV, full precision; the file appears when it is complete.
 
     The header has the names of the signals, with a unit in brackets where `units` has one.
@@ -56,13 +59,23 @@ def write_csv(path: Path, rows: NDArray[Any], units: Mapping[str, str] | None = 
     Raises
     ------
     InputError
-        When the file cannot be written.
+        When the file cannot be written, and for rows that are no structured array of numbers.
     """
-    names = rows.dtype.names or ()
+    if not isinstance(path, str | Path):
+        raise InputError(f"path must be that of a file, got {shown(path)}")
+    names = rows.dtype.names if isinstance(rows, np.ndarray) else None
+    if not names or rows.ndim != 1:
+        raise InputError(
+            f"rows must be a structured array, as simulate returns it, got {shown(rows)}"
+        )
+    known = {} if units is None else units
+    require_mapping("units", known)
+    texts = [n for n in names if rows.dtype[n].kind not in "biuf"]
+    if texts:
+        raise InputError(f"column {texts[0]} must have numbers, got {rows.dtype[texts[0]]}")
     columns = np.column_stack([rows[n].astype(np.float64) for n in names])
-    known = units or {}
     header = ",".join(f'"{n} [{known[n]}]"' if n in known else f'"{n}"' for n in names)
-    with replacing(path) as temporary:
+    with replacing(Path(path)) as temporary:
         np.savetxt(
             temporary, columns, fmt="%.17g", delimiter=",", comments="", header=header
         )

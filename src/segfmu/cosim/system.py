@@ -11,7 +11,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import as_names, as_tuple, require_mapping, shown
+from segfmu.arrays import as_flag, as_names, as_tuple, require_mapping, shown
 from segfmu.cosim import native
 from segfmu.cosim.change import Change, due
 from segfmu.cosim.connection import Link, by_name, checked
@@ -103,7 +103,7 @@ class System:
     ) -> None:
         if coupling is not None:
             _require_one("coupling", coupling, get_args(Coupling))
-        require_step(step)
+        step, events = require_step(step), as_flag("events", events)
         self.engine = _engine(engine)
         self._step, self._events = step, events
         self._running = Lock()

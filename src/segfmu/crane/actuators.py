@@ -174,7 +174,9 @@ def bound_uses(
     friction: Friction = NONE,
 ) -> tuple[BoundUse, ...]:
     """The exact use of every bound of the drives by a trajectory of x, y and z."""
+    model_of(crane)
     require_kind("trajectory", trajectory, Trajectory)
+    require_flat(crane, len(trajectory.axis_names), trajectory.smoothness)
     require_kind("bounds", bounds, ActuatorBounds)
     require_kind("friction", friction, Friction)
     return uses(bounds, *peaks(crane, trajectory, friction, bounds.lag))

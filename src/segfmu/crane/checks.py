@@ -28,6 +28,12 @@ def require_finite(name: str, value: object) -> None:
         raise InputError(f"{name} must be a finite number, got {shown(value)}")
 
 
+def require_number(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a number, also infinity or NaN."""
+    if not _finite(value) and not isinstance(value, float | np.floating):
+        raise InputError(f"{name} must be a number, got {shown(value)}")
+
+
 def require_positive(name: str, value: object) -> None:
     """Raise InputError unless `value` is a finite number above 0."""
     if not _finite(value) or value <= 0:  # type: ignore[operator]

@@ -14,7 +14,16 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_vector, sized
+from segfmu.arrays import (
+    FloatArray,
+    as_flag,
+    as_tuple,
+    finite_number,
+    finite_vector,
+    shown,
+    sized,
+    table_of,
+)
 from segfmu.crane.checks import (
     lags_of,
     require_kind,
@@ -87,6 +96,12 @@ class SwayFeedback:
         Design payload [kg].
     table : ndarray, shape (rows, 4, 11)
         Lengths and gains for the kernels, one `Gains` per row.
+
+    Raises
+    ------
+    InputError
+        For other shapes, rope lengths that are not positive and ascending, and a period or a
+        payload that is not positive.
     """
 
     sample_time: float
@@ -96,10 +111,29 @@ class SwayFeedback:
     table: FloatArray = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        table = np.zeros((len(self.lengths), Gains.SIZE, Gains.COLUMNS))
-        table[:, Gains.LENGTH, 0] = self.lengths
-        table[:, Gains.AXES :, : self.gains.shape[2]] = self.gains
-        object.__setattr__(self, "table", table)
+        require_positive("sample_time", self.sample_time)
+        require_positive("payload", self.payload)
+        lengths = _ascending("lengths", self.lengths, "m")
+        gains = table_of("gains", self.gains, lengths.size, Axes.SIZE, None)
+        if gains.shape[2] not in (State.SIZE, GainInputs.SIZE):
+            raise InputError(
+                f"gains must be by {State.SIZE} or {GainInputs.SIZE} errors, got {gains.shape[2]}"
+            )
+        table = np.zeros((lengths.size, Gains.SIZE, Gains.COLUMNS))
+        table[:, Gains.LENGTH, 0] = lengths
+        table[:, Gains.AXES :, : gains.shape[2]] = gains
+        found = {"lengths": lengths, "gains": gains, "table": table}
+        for name, value in found.items():
+            object.__setattr__(self, name, value)
+
+
+def _ascending(name: str, value: ArrayLike, unit: str) -> FloatArray:
+    values = finite_vector(name, value)
+    if values[0] <= 0.0 or (np.diff(values) <= 0.0).any():
+        raise InputError(
+            f"{name} must be positive and ascending, got {shown(values.tolist())} {unit}"
+        )
+    return values
 
 
 # the interface of an FMU is described several times in a build, with the same table of gains
@@ -218,7 +252,8 @@ def design(
         For a period, rope lengths or corrections that are not positive, negative lags, and weights
         without a solution.
     """
-    chosen = weights or Weights()
+    chosen = Weights() if weights is None else weights
+    driven = as_flag("driven", driven)
     require_kind("crane", crane, Crane)
     require_kind("weights", chosen, Weights)
     require_positive("sample_time", sample_time)
@@ -246,13 +281,34 @@ class PayloadSchedule:
         [kg], ascending.
     tables : tuple of SwayFeedback
         One per payload, over the same rope lengths.
+
+    Raises
+    ------
+    InputError
+        For payloads that are not positive and ascending, and tables that are not one for each, of
+        one period and the same rope lengths.
     """
 
     payloads: FloatArray
     tables: tuple[SwayFeedback, ...]
 
+    def __post_init__(self) -> None:
+        payloads = _ascending("payloads", self.payloads, "kg")
+        tables = as_tuple("tables", self.tables)
+        for table in tables:
+            require_kind("a table", table, SwayFeedback)
+        alike = {(t.sample_time, t.lengths.tobytes(), t.gains.shape) for t in tables}
+        if len(tables) != payloads.size or len(alike) > 1:
+            raise InputError(
+                f"tables must be one for each of {payloads.size} payloads, of one sample_time and "
+                f"the same rope lengths, got {len(tables)} with {len(alike)} kinds of them"
+            )
+        object.__setattr__(self, "payloads", payloads)
+        object.__setattr__(self, "tables", tables)
+
     def at(self, payload: float) -> SwayFeedback:
         """Gains for a payload [kg]: linear between the tables, constant outside."""
+        payload = finite_number("payload", payload)
         last = self.payloads.size - 1
         place = float(np.interp(payload, self.payloads, np.arange(last + 1.0)))
         row = min(int(place), max(last - 1, 0))
@@ -283,9 +339,7 @@ def design_schedule(
         As `design`, and for payloads that are not positive and ascending.
     """
     require_kind("crane", crane, Crane)
-    values = finite_vector("payloads", payloads)
-    if values[0] <= 0.0 or (np.diff(values) <= 0.0).any():
-        raise InputError(f"payloads must be positive and ascending, got {values.tolist()} kg")
+    values = _ascending("payloads", payloads, "kg")
     tables = tuple(
         design(
             replace(crane, payload_mass=float(payload)), sample_time=sample_time,

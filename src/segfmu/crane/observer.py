@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, sized
+from segfmu.arrays import FloatArray, as_flag, sized, table_of
 from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.linear import ROWS, scheduled_lengths
 from segfmu.crane.parameters import Crane
@@ -109,6 +109,11 @@ class Observer:
     uncertainty : Uncertainty
     lag : tuple of 3 float
         Of the velocity drives [s].
+
+    Raises
+    ------
+    InputError
+        For arguments of another kind, and a table of another shape.
     """
 
     crane: Crane
@@ -119,6 +124,17 @@ class Observer:
     uncertainty: Uncertainty
     lag: tuple[float, float, float]
     dead_time: tuple[float, float, float]
+
+    def __post_init__(self) -> None:
+        require_kind("crane", self.crane, Crane)
+        require_kind("uncertainty", self.uncertainty, Uncertainty)
+        require_positive("sample_time", self.sample_time)
+        as_flag("driven", self.driven)
+        _delays(self.sample_time, self.delayed, self.dead_time)
+        for value in sized("lag", self.lag, 3):
+            require_not_negative("lag", value)
+        table = table_of("table", self.table, None, Table.SIZE, Table.COLUMNS)
+        object.__setattr__(self, "table", table)
 
     @property
     def lengths(self) -> FloatArray:
@@ -168,14 +184,15 @@ def design_observer(
         For a period or rope lengths that are not positive, for negative or long delays, and for
         numbers so large or small that the gains are not finite.
     """
-    expected = uncertainty or Uncertainty()
+    expected = Uncertainty() if uncertainty is None else uncertainty
     require_kind("crane", crane, Crane)
     require_kind("uncertainty", expected, Uncertainty)
     require_positive("sample_time", sample_time)
     lags = sized("lag", lag, 3)
     for name, value in zip(("bridge", "trolley", "hoist"), lags, strict=True):
         require_not_negative(f"lag of the {name}", value)
-    _require_delays(sample_time, delayed, dead_time)
+    delayed = float(delayed) if isinstance(delayed, bool | np.bool_) else delayed
+    late = _delays(sample_time, delayed, dead_time)
     lengths = scheduled_lengths(shortest, longest, rows)
     steps = expected.vector
     backend.set_steps(np.zeros(Sensors.SIZE), float(lengths[-1]), steps)
@@ -199,20 +216,22 @@ def design_observer(
         raise InputError(SETUP.text(SetupStatus.OBSERVER, fault.tolist()))
     first, second, third = lags.tolist()
     return Observer(
-        crane, sample_time, driven, float(delayed), table, known, (first, second, third),
-        dead_time,
+        crane, sample_time, bool(driven), float(delayed), table, known, (first, second, third), late
     )
 
 
-def _require_delays(
-    sample_time: float, delayed: float, dead_time: tuple[float, float, float]
-) -> None:
-    require_not_negative("delayed", float(delayed))
-    for value in sized("dead_time", dead_time, 3):
+def _delays(
+    sample_time: float, delayed: float, dead_time: ArrayLike
+) -> tuple[float, float, float]:
+    """Dead times of the three drives [s], with which signals are not too late."""
+    require_not_negative("delayed", delayed)
+    first, second, third = sized("dead_time", dead_time, 3).tolist()
+    for value in (first, second, third):
         require_not_negative("dead_time", value)
-    total = float(delayed) + max(dead_time) / sample_time
+    total = delayed + max(first, second, third) / sample_time
     if total > History.MOST - 3:
         raise InputError(
             f"signals and drives are {total:.3g} samples late; a controller remembers "
             f"{History.MOST - 3}: raise its sample_time of {sample_time:g} s"
         )
+    return first, second, third

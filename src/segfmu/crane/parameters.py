@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_vector, shown, sized
+from segfmu.arrays import FloatArray, as_flag, finite_vector, sized
 from segfmu.crane.checks import require_positive, require_quantity
 from segfmu.crane.variables import Value, build, fed, require_values, values
 from segfmu.errors import InputError
@@ -94,8 +94,7 @@ class Crane:
         InputError
             For a `driven` that is no bool, and lags that are not one or three times >= 0.
         """
-        if not isinstance(driven, bool | np.bool_):
-            raise InputError(f"driven must be True or False, got {shown(driven)}")
+        driven = as_flag("driven", driven)
         lags = finite_vector("lag", lag)
         if lags.size not in (1, 3) or (lags < 0.0).any():
             raise InputError(f"lag must be one or three times >= 0 s, got {lags.tolist()}")

@@ -13,8 +13,14 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import FloatArray, sized
-from segfmu.crane.checks import require_kind, require_not_negative, require_positive
+from segfmu.arrays import FloatArray, as_flag, as_index, sized, table_of
+from segfmu.crane.checks import (
+    require_finite,
+    require_kind,
+    require_not_negative,
+    require_number,
+    require_positive,
+)
 from segfmu.crane.controller import Controller
 from segfmu.crane.energy import EnergyBalance
 from segfmu.crane.failures import failure
@@ -49,6 +55,7 @@ from segfmu.kernels.rig.records import (
     Sensors,
     Settings,
 )
+from segfmu.kernels.rig.records import Setpoints as Record
 
 TOLERANCE = 1e-10
 
@@ -104,8 +111,10 @@ class Plant:
         rig: Rig | None = None,
         start_time: float = 0.0,
     ) -> None:
+        model = model_of(crane)
         require_positive("controller sample_time", getattr(controller, "sample_time", None))
         require_kind("setpoints", setpoints, Setpoints)
+        require_finite("start_time", start_time)
         rig = Rig() if rig is None else rig
         require_kind("rig", rig, Rig)
         self._controller = controller
@@ -114,7 +123,7 @@ class Plant:
         self._loop = self._settings[Settings.LOOP, : Loop.SIZE]
         self._loop[Loop.CORRECTOR] = _corrector(controller)
         self._loop[Loop.PERIOD] = controller.sample_time
-        self._loop[Loop.ENABLED] = enabled
+        self.enabled = enabled
         self._loop[Loop.TOLERANCE] = TOLERANCE
         self.fade = fade
         self._settings[Settings.SENSORS, : Sensors.SIZE] = rig.sensors.vector
@@ -125,7 +134,6 @@ class Plant:
             known[Tracking.PERIOD] = controller.sample_time
             backend.set_drives(self._settings[Settings.PLANT], known)
         require_fitting(self._settings[Settings.PLANT], controller.sample_time)
-        model = model_of(crane)
         self._places = model.places
         self._memory = np.zeros((backend.rig_rows(self._settings), Memory.COLUMNS))
         backend.rig_start(
@@ -141,7 +149,7 @@ class Plant:
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        self._loop[Loop.ENABLED] = bool(value)
+        self._loop[Loop.ENABLED] = as_flag("enabled", value)
 
     @property
     def fade(self) -> float:
@@ -162,6 +170,7 @@ class Plant:
             For another period, and if the controller is not a SwayFeedback.
         """
         own = self._controller
+        require_kind("feedback", feedback, SwayFeedback)
         if not isinstance(own, SwayFeedback) or own.sample_time != feedback.sample_time:
             raise InputError(
                 "retune needs a SwayFeedback controller and gains of its sample_time; got gains of "
@@ -263,13 +272,13 @@ class Plant:
 
     def outputs(self, target: FloatArray) -> FloatArray:
         """The kernels' `Outputs`; target: reference position of the load (3,) [m]."""
-        found = np.zeros(Outputs.SIZE)
-        backend.rig_outputs(target, self._memory, np.zeros(Balance.SIZE), found)
+        place, found = sized("target", target, Vector.SIZE), np.zeros(Outputs.SIZE)
+        backend.rig_outputs(place, self._memory, np.zeros(Balance.SIZE), found)
         return found
 
     def told(self, kernel: Callable[[FloatArray, FloatArray], None], size: int) -> FloatArray:
         """What a kernel of a model writes of the rig's memory, shape (size,)."""
-        found = np.zeros(size)
+        found = np.zeros(as_index("size", size))
         kernel(self._memory, found)
         return found
 
@@ -282,6 +291,8 @@ class Plant:
             If the crane reaches an end stop or leaves the range of its equations; the message says
             what happened and when. The plant keeps the last valid state.
         """
+        require_number("duration", duration)
+        require_kind("setpoints", setpoints, Setpoints)
         self._advance(duration, setpoints.vector, self._tables())
 
     def follow(
@@ -302,10 +313,16 @@ class Plant:
         ------
         SimulationError
             As `step` does, and if the integration would take more steps: it is stiff then.
+        InputError
+            For arrays of other shapes, and a `most` that is not positive.
         """
+        durations = table_of("durations", durations, None)
+        setpoints = table_of("setpoints", setpoints, durations.size, Record.SIZE)
+        if not (isinstance(most, float) and most == np.inf):
+            require_positive("most", most)
         tables, signals = self._tables(), self._memory[Memory.SIGNALS, : Coordinates.SIZE]
-        integration, left = self._memory[Memory.WORK + Work.STEP], most * len(durations)
-        found = np.empty((len(durations), Coordinates.SIZE))
+        integration, left = self._memory[Memory.WORK + Work.STEP], most * durations.size
+        found = np.empty((durations.size, Coordinates.SIZE))
         for row, duration, own in zip(found, durations.tolist(), setpoints, strict=True):
             self._advance(duration, own, tables)
             row[:] = signals

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, as_tuple
+from segfmu.arrays import FloatArray, as_flag, as_tuple
 from segfmu.crane.checks import require_kind
 from segfmu.crane.disturbance import PAYLOAD, PayloadChange, Wind
 from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, TravelLimits
+from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
 from segfmu.crane.variables import Value, build, filled, kept, require_values, values
@@ -76,6 +77,8 @@ class Rig:
 
     def parameters(self, crane: AnyCrane, driven: bool) -> FloatArray:
         """The kernels' `Plant`, shape (Plant.SIZE,)."""
+        model_of(crane)
+        driven = as_flag("driven", driven)
         found = crane.values() | values(self.friction, FRICTION) | values(self.travel, TRAVEL)
         for drive, mapping in zip(self.drives, DRIVE, strict=True):
             found |= values(drive, mapping)

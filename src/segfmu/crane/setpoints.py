@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, numbers
+from segfmu.arrays import FloatArray, numbers, sized
 from segfmu.errors import InputError
 from segfmu.kernels.rig.records import Setpoints as Record
 
@@ -35,6 +35,7 @@ class Setpoints:
     @classmethod
     def of(cls, vector: FloatArray) -> Setpoints:
         """From the kernels' `Setpoints`, shape (19,)."""
+        vector = sized("vector", vector, Record.SIZE)
         ends = Record.VELOCITY, Record.REFERENCE, Record.WIND
         return cls(*np.split(vector, ends))
 

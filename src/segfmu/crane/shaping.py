@@ -15,8 +15,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_times, finite_vector, shown
-from segfmu.crane.checks import require_finite, require_positive
+from segfmu.arrays import FloatArray, as_index, finite_times, finite_vector, shown
+from segfmu.crane.checks import require_finite, require_kind, require_positive
 from segfmu.errors import InputError
 
 
@@ -136,13 +136,14 @@ class Shaper:
 
     def then(self, other: Shaper) -> Shaper:
         """Both shapers one after the other: for two frequencies, in the sum of both durations."""
+        require_kind("other", other, Shaper)
         times = np.add.outer(self.times, other.times).ravel()
         order = np.argsort(times, kind="stable")
         return Shaper(times[order], np.multiply.outer(self.shares, other.shares).ravel()[order])
 
     def residual(self, frequency: float, damping: float = 0.0) -> float:
         """Residual oscillation of a pendulum [rad/s], relative to that without shaper."""
-        require_positive("frequency", frequency)
+        _require_damped(frequency, damping)
         decay = damping * frequency
         damped = frequency * sqrt(1.0 - damping**2)
         phases = self.shares * np.exp((decay + 1j * damped) * (self.times - self.times[-1]))
@@ -170,12 +171,16 @@ def zvd(frequency: float, damping: float = 0.0) -> Shaper:
 
 def _decay(frequency: float, damping: float) -> tuple[float, float]:
     """Decay over half an oscillation, and its duration [s]."""
+    _require_damped(frequency, damping)
+    root = sqrt(1.0 - damping**2)
+    return exp(-damping * pi / root), pi / (frequency * root)
+
+
+def _require_damped(frequency: float, damping: float) -> None:
     require_positive("frequency", frequency)
     require_finite("damping", damping)
     if not 0.0 <= damping < 1.0:
         raise InputError(f"damping must be a ratio from 0 to below 1, got {shown(damping)}")
-    root = sqrt(1.0 - damping**2)
-    return exp(-damping * pi / root), pi / (frequency * root)
 
 
 class Shaped:
@@ -189,6 +194,9 @@ class Shaped:
     """
 
     def __init__(self, motion: Motion, shaper: Shaper) -> None:
+        if not callable(motion) or not hasattr(motion, "duration"):
+            raise InputError(f"motion must be a motion such as Trapezoid, got {shown(motion)}")
+        require_kind("shaper", shaper, Shaper)
         self._motion = motion
         self._shaper = shaper
 
@@ -207,5 +215,4 @@ class Shaped:
 
 
 def _require_derivative(derivative: int) -> None:
-    if derivative not in (0, 1, 2):
-        raise InputError(f"derivative must be 0, 1 or 2, got {shown(derivative)}")
+    as_index("derivative", derivative, 2)

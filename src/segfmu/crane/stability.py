@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from segfmu.arrays import FloatArray, as_tuple, sized
+from segfmu.arrays import FloatArray, as_tuple, shown, sized
 from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.linear import lagged, matrices, sampled
 from segfmu.crane.tracking import ESTIMATE, TrackingController
+from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.control.records import (
     AxisTable,
@@ -142,7 +143,13 @@ def largest_eigenvalue(
     kept = [*range(State.SIZE), *(State.SIZE + np.flatnonzero(used))]
     kept += range(layout.estimates.start, layout.estimates.stop)
     kept += range(layout.payload + observer.driven, layout.signals.stop)
-    return float(np.abs(np.linalg.eigvals(loop[np.ix_(kept, kept)])).max())
+    own = loop[np.ix_(kept, kept)]
+    if not np.isfinite(own).all():
+        raise InputError(
+            f"the loop has no finite numbers at {length:.6g} m of rope with {payload:.6g} kg and "
+            f"lags of {shown(lag)} s; take smaller ones"
+        )
+    return float(np.abs(np.linalg.eigvals(own)).max())
 
 
 def _commanded(controller: TrackingController) -> NDArray[np.bool_]:

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, shown, sized
+from segfmu.arrays import FloatArray, as_flag, shown, sized
 from segfmu.crane.checks import require_kind, require_not_negative, require_positive
 from segfmu.crane.feedback import SwayFeedback
 from segfmu.crane.linear import SIGNS
@@ -112,9 +112,8 @@ class TrackingController:
         enabled: bool = True,
     ) -> None:
         require_kind("observer", observer, Observer)
-        require_kind("feedback", feedback, SwayFeedback)
         require_positive("payload_time", payload_time)
-        if offset_cause not in CAUSES:
+        if not isinstance(offset_cause, str) or offset_cause not in CAUSES:
             raise InputError(f"offset_cause must be wind or sensor, got {shown(offset_cause)}")
         period = observer.sample_time
         self.observer = observer
@@ -128,7 +127,7 @@ class TrackingController:
         plant[Plant.DEAD_TIME : Plant.DEAD_TIME + Axes.SIZE] = observer.dead_time
         backend.set_tracking(plant, design, float(observer.lengths[-1]), own)
         own[Tracking.OFFSET_CAUSE] = CAUSES.index(offset_cause)
-        own[Tracking.OFFSET_ACTS] = rope_offset
+        own[Tracking.OFFSET_ACTS] = as_flag("rope_offset", rope_offset)
         if velocity_max is not None:
             own[VELOCITIES] = sized("velocity_max", velocity_max, 3)
         if velocity_min is not None:
@@ -179,8 +178,9 @@ class TrackingController:
 
     @enabled.setter
     def enabled(self, value: bool) -> None:
-        if bool(value) != self.enabled:
-            self._parameters[Tracking.ENABLED] = bool(value)
+        acts = as_flag("enabled", value)
+        if acts != self.enabled:
+            self._parameters[Tracking.ENABLED] = acts
             self._switch()
 
     @property
@@ -201,6 +201,7 @@ class TrackingController:
 
     @feedback.setter
     def feedback(self, value: SwayFeedback) -> None:
+        require_kind("feedback", value, SwayFeedback)
         if value.sample_time != self.sample_time:
             raise InputError(
                 f"feedback has a period of {value.sample_time} s and the observer of "
@@ -305,11 +306,10 @@ class TrackingController:
             it. By default those that hold the nominal load.
         """
         tick = np.zeros((Tick.SIZE, Tick.COLUMNS))
-        tick[Tick.SIGNALS, : Coordinates.SIZE] = measured
-        tick[Tick.REFERENCE, : State.SIZE] = reference
-        if feedforward is None:
-            feedforward = self.holding
-        tick[Tick.ADDED_TO, : Axes.SIZE] = feedforward
+        tick[Tick.SIGNALS, : Coordinates.SIZE] = sized("measured", measured, Coordinates.SIZE)
+        tick[Tick.REFERENCE, : State.SIZE] = sized("reference", reference, State.SIZE)
+        added = self.holding if feedforward is None else feedforward
+        tick[Tick.ADDED_TO, : Axes.SIZE] = sized("feedforward", added, Axes.SIZE)
         parameters, table, gains, memory = self.arrays
         backend.track_setpoint(parameters, table, gains, tick, memory)
         return tick[Tick.CORRECTION, Correction.VALUE : Correction.FADING].copy()

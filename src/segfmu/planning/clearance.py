@@ -19,6 +19,7 @@ from segfmu.arrays import (
     FloatArray,
     Frozen,
     Range,
+    as_flag,
     as_tuple,
     finite_number,
     finite_vector,
@@ -86,11 +87,10 @@ class Obstacle(Frozen):
             raise InputError(
                 f"obstacle {name}: margin must be a distance >= 0 m, got {shown(margin)}"
             )
-        if not isinstance(rope, bool | np.bool_):
-            raise InputError(f"obstacle {name}: rope must be True or False, got {shown(rope)}")
+        rope = as_flag(f"obstacle {name}: rope", rope)
         for key, value in (
             ("name", name), ("minimum", low), ("maximum", high), ("margin", float(gap[0])),
-            ("rope", bool(rope)),
+            ("rope", rope),
         ):
             object.__setattr__(self, key, value)
 

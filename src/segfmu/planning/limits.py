@@ -17,8 +17,10 @@ from segfmu.arrays import (
     Frozen,
     Range,
     as_index,
+    finite_number,
     limit_values,
     lower_values,
+    shown,
 )
 from segfmu.errors import InputError
 
@@ -102,16 +104,34 @@ class Limits(Frozen):
         return self.velocity_min, self.acceleration_min
 
     def bound(self, name: str, axis: int, value: float) -> float:
-        """Magnitude of the limit of a derivative in the direction of a value."""
-        return abs(_of_axis(getattr(self, self.named(name, axis, value)), axis))
+        """Magnitude of the limit of a derivative in the direction of a value; 2 is axis z.
+
+        Raises
+        ------
+        InputError
+            As `named`.
+        """
+        return abs(self._of_axis(self.named(name, axis, value), axis))
 
     def named(self, name: str, axis: int, value: float) -> str:
-        """The name of that limit: `velocity_min` where it differs from `velocity`."""
-        lower = f"{name}_min"
-        if value >= 0.0 or lower not in LOWER:
+        """The name of that limit: `velocity_min` where it differs from `velocity`.
+
+        Raises
+        ------
+        InputError
+            For a derivative or an axis without limits, and a value that is no number.
+        """
+        if not isinstance(name, str) or name not in NAMES:
+            raise InputError(f"name must be one of {', '.join(NAMES)}, got {shown(name)}")
+        lower, upper = f"{name}_min", self._of_axis(name, axis)
+        if finite_number("value", value) >= 0.0 or lower not in LOWER:
             return name
-        below = _of_axis(getattr(self, lower), axis)
-        return name if below in (-inf, -_of_axis(getattr(self, name), axis)) else lower
+        return name if self._of_axis(lower, axis) in (-inf, -upper) else lower
+
+    def _of_axis(self, name: str, axis: int) -> float:
+        values: FloatArray = getattr(self, name)
+        row = as_index("axis", axis, values.size - 1 if values.size > 1 else inf)
+        return float(values[row] if values.size > 1 else values.item())
 
     def lower(self, axes: int) -> FloatArray:
         """Magnitudes of the limits of velocity and acceleration in the negative direction.
@@ -189,10 +209,6 @@ class Limits(Frozen):
             table[table == inf] = 0.0
         table.setflags(write=False)
         return table
-
-
-def _of_axis(values: FloatArray, axis: int) -> float:
-    return float(values[axis] if values.size > 1 else values.item())
 
 
 def _require_axes(name: str, values: FloatArray, axes: int) -> None:

@@ -10,7 +10,7 @@ from functools import partial
 from html import escape
 from pathlib import Path
 
-from segfmu.arrays import as_index, shown
+from segfmu.arrays import as_flag, as_index, shown
 from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe, left_over
 from segfmu.fmu.choice import Choice, chosen, require_native
@@ -140,6 +140,9 @@ def build(
         raise InputError(f"platforms must be all, or names with commas, got {shown(platforms)}")
     if platforms is not None and not platforms.strip(", "):
         raise InputError("platforms is empty; name some, or all, or omit it for those available")
+    flags = {"modelica": modelica, "ssp": ssp, "references": references}
+    for name, value in flags.items():
+        as_flag(name, value)
     choice = chosen(
         as_index("fmi", fmi), backend, platforms or "", enumerations=enumerations,
         commands=commands,

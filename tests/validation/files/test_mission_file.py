@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from segfmu import InputError
+from segfmu import Crane, InputError, Mission
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.files.scenario_file import load_scenario
 
@@ -60,3 +61,32 @@ def test_links_to_files_tell_where_the_files_that_they_name_are_looked_for(tmp_p
     (tmp_path / "crane_lab.toml").write_text("bridge_mass = 1.0\n", encoding="utf-8")
     with pytest.raises(InputError, match=r"crane_lab\.toml: .*missing[^;]*$"):
         load_mission(tmp_path / "paper.toml")
+
+
+MADE = {
+    "crane": {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0},
+    "limits": {axis: {"velocity": 1.0, "acceleration": 1.0, "jerk": 2.0} for axis in "xyz"},
+    "waypoints": [{"position": [0.0, 0.0, -0.5]}, {"position": [1.0, 0.0, -0.5]}],
+}
+
+
+def test_a_mission_may_be_made_of_its_keys() -> None:
+    assert Mission(**MADE) == load_mission(MADE)
+
+
+@pytest.mark.parametrize(("changed", "told"), [
+    ({"smoothness": 9}, "smoothness: must be at most 6, got 9"),
+    ({"crane": None}, "crane: must be a table, got None"),
+    ({"crane": Crane(1.0, 1.0, 1.0)}, r"crane: must be a table, got Crane\(bridge_mass=1"),
+    ({"waypoints": []}, r"waypoints: must have at least 2 values, got \[\]"),
+    ({"smothness": 4}, r"smothness: unknown key; did you mean smoothness\?"),
+    ({"self": 4}, "self: unknown key"),
+])
+def test_keys_of_another_kind_are_one_error_as_in_files(
+    changed: dict[str, Any], told: str
+) -> None:
+    with pytest.raises(InputError, match=f"^{told}"):
+        Mission(**MADE | changed)
+    if "crane" not in changed:
+        with pytest.raises(InputError, match=f"^mission: {told}"):
+            load_mission(MADE | changed)

@@ -17,13 +17,13 @@ from dataclasses import astuple, dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, sized, table_of
 from segfmu.crane.checks import lags_of, require_kind, require_positive, require_weights
 from segfmu.crane.hook.parameters import HookCrane
 from segfmu.crane.linear import scheduled_lengths
 from segfmu.errors import InputError
 from segfmu.kernels import backend
-from segfmu.kernels.crane.records import Axes, Plant
+from segfmu.kernels.crane.records import Axes, Coordinates, Plant, State
 from segfmu.kernels.hook.records import HookAxis, HookDesign, HookLimits, HookTable
 
 # rope lengths of a table
@@ -73,10 +73,20 @@ class HookFeedback:
         [s]
     table : ndarray, shape (rows, 34, 9)
         The kernels' `HookTable`, one a rope length.
+
+    Raises
+    ------
+    InputError
+        For a period that is not positive, and a table of another shape.
     """
 
     sample_time: float
     table: FloatArray
+
+    def __post_init__(self) -> None:
+        require_positive("sample_time", self.sample_time)
+        table = table_of("table", self.table, None, HookTable.SIZE, HookTable.COLUMNS)
+        object.__setattr__(self, "table", table)
 
     @property
     def lengths(self) -> FloatArray:
@@ -118,7 +128,7 @@ def design_hook(
     InputError
         For a period and lengths that are not positive, and negative lags.
     """
-    design = weights or HookWeights()
+    design = HookWeights() if weights is None else weights
     require_kind("crane", crane, HookCrane)
     require_kind("weights", design, HookWeights)
     require_positive("sample_time", sample_time)
@@ -165,10 +175,12 @@ class HookController:
         self.feedback = feedback
         self.estimates = np.zeros((Axes.SIZE + 1, HookAxis.SIZE))
         self._limits = np.zeros(HookLimits.SIZE)
-        self._limits[HookLimits.LEAST : HookLimits.GREATEST] = lower
-        self._limits[HookLimits.GREATEST : HookLimits.SLOWEST] = upper
-        self._limits[HookLimits.SLOWEST : HookLimits.FASTEST] = velocity_min
-        self._limits[HookLimits.FASTEST : HookLimits.PERIOD] = velocity_max
+        given = {
+            "lower": lower, "upper": upper, "velocity_min": velocity_min,
+            "velocity_max": velocity_max,
+        }
+        rows = [sized(name, value, Axes.SIZE, alike=True) for name, value in given.items()]
+        self._limits[: HookLimits.PERIOD] = np.concatenate(rows)
         self._limits[HookLimits.PERIOD] = feedback.sample_time
         self._correction = np.zeros(Axes.SIZE)
 
@@ -182,7 +194,8 @@ class HookController:
     ) -> FloatArray:
         """Correction (3,), see `segfmu.crane.Controller`."""
         backend.hook_correction(
-            self.feedback.table, self._limits, measured, reference, feedforward, self.estimates,
-            self._correction,
+            self.feedback.table, self._limits, sized("measured", measured, Coordinates.SIZE),
+            sized("reference", reference, State.SIZE), sized("feedforward", feedforward, Axes.SIZE),
+            self.estimates, self._correction,
         )
         return self._correction.copy()

@@ -7,7 +7,7 @@ from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, ValidationError, model_validator
 
 from segfmu.crane import (
     ActuatorBounds,
@@ -42,7 +42,7 @@ from segfmu.validation.files.mission_tables import (
     SimulationEntry,
     WaypointEntry,
 )
-from segfmu.validation.files.reading import merged
+from segfmu.validation.files.reading import merged, problem
 
 # that the FMUs can have
 MOST_WAYPOINTS = 256
@@ -121,6 +121,12 @@ class Mission(Table):
     simulation: Annotated[
         SimulationEntry, Key("how the mission is run")
     ] = SimulationEntry()
+
+    def __init__(self, /, **keys: Any) -> None:
+        try:
+            super().__init__(**keys)
+        except ValidationError as error:
+            raise InputError(problem(type(self), keys, error)) from None
 
     @model_validator(mode="before")
     @classmethod

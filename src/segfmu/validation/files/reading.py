@@ -140,7 +140,7 @@ def checked(kind: type[Checked], data: Mapping[str, Any], where: str) -> Checked
     try:
         return kind.model_validate(data)
     except ValidationError as error:
-        raise InputError(f"{where}: {_problem(kind, data, error)}") from None
+        raise InputError(f"{where}: {problem(kind, data, error)}") from None
 
 
 def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -153,14 +153,14 @@ def merged(base: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any
     return result
 
 
-def _problem(kind: type[Table], data: Mapping[str, Any], error: ValidationError) -> str:
+def problem(kind: type[Table], data: Mapping[str, Any], error: ValidationError) -> str:
     """The first finding as `key: what is wrong, got value`.
 
     A misspelt key, or one of another table, is before a missing one.
     """
     problems = error.errors(include_url=False)
-    for problem in problems:
-        problem["loc"] = _keys(data, problem["loc"])
+    for found in problems:
+        found["loc"] = _keys(data, found["loc"])
     unknown = [p for p in problems if p["type"] == "extra_forbidden"]
     misspelt = [p for p in unknown if _similar(kind, p["loc"])]
     misplaced = [p for p in unknown if _suggestion(kind, p["loc"])]
