@@ -150,16 +150,16 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real command_distance_y(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
   parameter Boolean command_take_over = false "begin in the measured state and bring the load to rest, or to the target; each time that it becomes true, and at the start" annotation(Dialog(tab = "command"));
-  parameter Real measured_bridge_position(unit = "m") = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_trolley_position(unit = "m") = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_rope_length(unit = "m") = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_sway_x_angle(unit = "rad", displayUnit = "deg") = 0.0 "measured sway.x.angle, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_sway_y_angle(unit = "rad", displayUnit = "deg") = 0.0 "measured sway.y.angle, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_bridge_velocity(unit = "m/s") = 0.0 "measured bridge.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_trolley_velocity(unit = "m/s") = 0.0 "measured trolley.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_rope_velocity(unit = "m/s") = 0.0 "measured rope.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_sway_x_rate(unit = "rad/s", displayUnit = "deg/s") = 0.0 "measured sway.x.rate, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_sway_y_rate(unit = "rad/s", displayUnit = "deg/s") = 0.0 "measured sway.y.rate, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_bridge_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_length(unit = "m", min = -1e+20, max = 1e+20) = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_x_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.x.angle, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_y_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.y.angle, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_bridge_velocity(unit = "m/s", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_velocity(unit = "m/s", min = -1e+20, max = 1e+20) = 0.0 "measured trolley.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_velocity(unit = "m/s", min = -1e+20, max = 1e+20) = 0.0 "measured rope.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_x_rate(unit = "rad/s", displayUnit = "deg/s", min = -1e+20, max = 1e+20) = 0.0 "measured sway.x.rate, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_sway_y_rate(unit = "rad/s", displayUnit = "deg/s", min = -1e+20, max = 1e+20) = 0.0 "measured sway.y.rate, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real friction_bridge_viscous(unit = "N.s/m", min = 0.0) = 0.0 "viscous friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_coulomb(unit = "N", min = 0.0) = 0.0 "Coulomb friction of the bridge" annotation(Dialog(tab = "friction"));
   parameter Real friction_bridge_static(unit = "N", min = 0.0) = 0.0 "static friction of the bridge; 0: as Coulomb friction" annotation(Dialog(tab = "friction"));
@@ -425,7 +425,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{9146096b-7845-98ec-4cec-f6bd3ac16800}", 0);
+      "{f7286628-f4db-183d-6263-5c349d83f656}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -25,6 +25,7 @@ from segfmu.fmu.feedforward.interface import (
 )
 from segfmu.fmu.gantry import crane_parameters, friction_parameters
 from segfmu.fmu.standard.spec import (
+    LARGEST,
     Enumeration,
     Spec,
     Variable,
@@ -99,6 +100,8 @@ def _measured() -> list[Variable]:
                 1.0 if name == "rope.length" else 0.0,
                 unit,
                 f"measured {name}, for command.take_over",
+                minimum=-LARGEST,
+                maximum=LARGEST,
             )
         )
     return rows

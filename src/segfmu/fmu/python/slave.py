@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable
-from math import inf
+from math import inf, isfinite
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -135,17 +135,9 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def _require_ranges(self) -> None:
         """Raise InputError for a parameter outside the range that the specification gives."""
         for variable, value in zip(self.spec.variables, self._values.values(), strict=True):
-            least, most = variable.minimum, variable.maximum
-            if variable.enumeration is not None:
-                least, most = 1, len(variable.enumeration.items)
-            if least is None and most is None:
-                continue
-            fault = np.zeros(RangeFault.SIZE)
-            status = backend.check_range(
-                value, -inf if least is None else least, inf if most is None else most, fault
-            )
-            if status != RangeStatus.INSIDE:
-                raise InputError(f"{variable.name} {RANGE.text(status, fault.tolist())}")
+            fault = _range_fault(variable, value)
+            if fault is not None:
+                raise InputError(fault)
 
     def _get(self, kind: str, references: list[int]) -> list[Any]:
         self._check(kind, references)
@@ -154,7 +146,8 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def _set(self, kind: str, references: list[int], values: list[Any]) -> None:
         self._check(kind, references)
         for reference, value in zip(references, values, strict=True):
-            if self._is_settable(self.spec.variables[reference - 1]):
+            variable = self.spec.variables[reference - 1]
+            if self._is_settable(variable) and self._fits(variable, value):
                 self._values[reference] = value
 
     def _is_settable(self, variable: Variable) -> bool:
@@ -170,6 +163,20 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             self._refusal = f"{variable.name} cannot be set {when}"
             self.log(self._refusal, Fmi2Status.error)
         return not when
+
+    def _fits(self, variable: Variable, value: Any) -> bool:
+        """Whether a running model takes a value; if not, the next step is refused for it."""
+        fault = None
+        if self._now is not None:
+            fault = _range_fault(variable, value)
+            if not isfinite(value):
+                fault = f"{variable.name} must be finite, got {value:g}"
+        if fault is not None:
+            signal = variable.causality == "input"
+            refused = "input refused, check its signal" if signal else "tuning refused"
+            self._refusal = f"{refused}: {fault}"
+            self.log(self._refusal, Fmi2Status.error)
+        return fault is None
 
     def _check(self, kind: str, references: list[int]) -> None:
         for reference in references:
@@ -202,3 +209,19 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
     def set_string(self, vrs: list[int], values: list[str]) -> None:
         self._set("string", vrs, values)
+
+
+def _range_fault(variable: Variable, value: float) -> str | None:
+    """What is wrong with a value outside of its variable's range."""
+    least, most = variable.minimum, variable.maximum
+    if variable.enumeration is not None:
+        least, most = 1, len(variable.enumeration.items)
+    if least is None and most is None:
+        return None
+    fault = np.zeros(RangeFault.SIZE)
+    status = backend.check_range(
+        value, -inf if least is None else least, inf if most is None else most, fault
+    )
+    if status == RangeStatus.INSIDE:
+        return None
+    return f"{variable.name} {RANGE.text(status, fault.tolist())}"

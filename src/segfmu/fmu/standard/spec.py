@@ -15,6 +15,8 @@ Causality = Literal[
 ]
 Variability = Literal["continuous", "discrete", "fixed", "tunable"]
 Value = float | int | bool
+# of an input in its unit: beyond it is a fault, and the equations overflow
+LARGEST = 1e20
 
 
 @dataclass(frozen=True)
@@ -244,7 +246,9 @@ def derivative(state: str, rate: Variable) -> Variable:
 
 def signal(name: str, unit: str, description: str) -> Variable:
     """A continuous real input that starts at zero."""
-    return Variable(name, "Real", "input", "continuous", description, 0.0, unit)
+    return Variable(
+        name, "Real", "input", "continuous", description, 0.0, unit, -LARGEST, LARGEST
+    )
 
 
 def command(

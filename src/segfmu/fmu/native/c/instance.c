@@ -204,19 +204,20 @@ void glue_set_time(instance *c, double time)
 bool glue_in_range(instance *c, const variable *v, size_t element, double value, const char *what)
 {
     enum { PLACE = sizeof "[18446744073709551615]" };
-    char message[MESSAGE] = "", place[PLACE] = "";
     const label *own = glue_label(v);
     const range *within = &model_ranges[own->range];
     double most = v->counts ? (double)c->start.rows : within->most, fault[RANGE_FAULT_SIZE];
-    int64_t status = segfmu_check_range(value, within->least, most, vector(fault, RANGE_FAULT_SIZE));
-    if (segfmu_range_message(status, fault, message, MESSAGE)) {
-        if (glue_elements_of(c, v) > 1) {
-            snprintf(place, sizeof place, "[%lu]", (unsigned long)element + 1);
-        }
-        glue_log(c, STATUS_ERROR, "%s: %s%s %s", what, own->name, place, message);
-        return false;
+    if (value >= within->least && value <= most) {
+        return true;
     }
-    return true;
+    char message[MESSAGE] = "", place[PLACE] = "";
+    int64_t status = segfmu_check_range(value, within->least, most, vector(fault, RANGE_FAULT_SIZE));
+    segfmu_range_message(status, fault, message, MESSAGE);
+    if (glue_elements_of(c, v) > 1) {
+        snprintf(place, sizeof place, "[%lu]", (unsigned long)element + 1);
+    }
+    glue_log(c, STATUS_ERROR, "%s: %s%s %s", what, own->name, place, message);
+    return false;
 }
 
 size_t glue_elements_of(const instance *c, const variable *v)

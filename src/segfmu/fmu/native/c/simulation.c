@@ -169,6 +169,26 @@ bool glue_started(instance *c, bool *moved)
     return true;
 }
 
+/* Whether inputs that follow their derivatives stay in their ranges for a step. */
+static bool derivatives_in_range(instance *c, double step)
+{
+    const model *m = c->model;
+    int found = 0;
+    for (size_t i = 0; m->sloped && found < MODEL_INPUTS && i < MODEL_VARIABLES; i++) {
+        const variable *v = &model_variables[i];
+        if (v->setting == SET_INPUT && v->kind == KIND_REAL) {
+            const int k = v->offset;
+            const double bent = m->slope[1][k] / 2.0 + m->slope[2][k] / 6.0 * step;
+            const double end = m->real[k] + (m->slope[0][k] + bent * step) * step;
+            found++;
+            if (!glue_in_range(c, v, 0, end, "derivatives refused: at the end of the step")) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 bool glue_begin_step(instance *c, double time, double step)
 {
     model *m = c->model;
@@ -193,6 +213,9 @@ bool glue_begin_step(instance *c, double time, double step)
     if (m->stops && time + step > m->stop + SAME * (1.0 + fabs(m->stop)) + 1e-3 * step) {
         glue_log(c, STATUS_ERROR, "a step to %.9g s would pass the stop time %.9g s", time + step,
                  m->stop);
+        return false;
+    }
+    if (!derivatives_in_range(c, step)) {
         return false;
     }
     glue_set_time(c, time);

@@ -217,15 +217,17 @@ static bool finite_values(instance *c, const uint32_t references[], const double
     return glue_finite(c, values[place], glue_label(v)->name);
 }
 
-/* While the model runs nothing checks its parameters again, so what is tuned is checked here. */
-static bool tuned_in_range(instance *c, const variable *v, const double values[], size_t count)
+/* While the model runs nothing checks its parameters again, so inputs and what is tuned are checked
+   here. */
+static bool running_in_range(instance *c, const variable *v, const double values[], size_t count)
 {
     const bool tuned = v->setting == SET_TUNABLE || v->setting == SET_COMMAND;
-    if (!tuned || (c->model->mode & MODE_RUNNING) == 0) {
+    const char *refused = tuned ? "tuning refused" : "input refused, check its signal";
+    if (!(tuned || v->setting == SET_INPUT) || (c->model->mode & MODE_RUNNING) == 0) {
         return true;
     }
     for (size_t k = 0; k < count; k++) {
-        if (!glue_in_range(c, v, k, values[k], "tuning refused")) {
+        if (!glue_in_range(c, v, k, values[k], refused)) {
             return false;
         }
     }
@@ -238,7 +240,7 @@ static bool all_in_range(instance *c, const uint32_t references[], size_t count,
     for (size_t i = 0; i < count; i++) {
         const variable *v = glue_variable(references[i]);
         size_t elements = glue_elements_of(c, v);
-        if (!tuned_in_range(c, v, values, elements)) {
+        if (!running_in_range(c, v, values, elements)) {
             return false;
         }
         values += elements;
@@ -267,7 +269,8 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
     const uint16_t *places = known_places(c, SET_LIST, count);
     double *real = c->model->real;
     int settings = 0;
-    if (!finite_values(c, references, values, size)) {
+    if (!finite_values(c, references, values, size)
+        || !all_in_range(c, references, count, values)) {
         return false;
     }
     if (places != NULL && c->known[SET_LIST].all == 1 << SET_INPUT) {
@@ -276,9 +279,6 @@ bool glue_set_reals(instance *c, const uint32_t references[], size_t count, cons
         }
         touch(c, 1 << SET_INPUT);
         return true;
-    }
-    if (!all_in_range(c, references, count, values)) {
-        return false;
     }
     if (MODEL_STATES > 0 && (c->model->mode & glue_state_modes) != 0) {
         set_states(c, references, count, values);
@@ -310,7 +310,7 @@ bool glue_set_integer(instance *c, uint32_t reference, size_t element, int64_t v
 {
     const variable *v = glue_variable(reference);
     double number = (double)value;
-    if (!tuned_in_range(c, v, &number, 1)) {
+    if (!running_in_range(c, v, &number, 1)) {
         return false;
     }
     int64_t *place = c->model->integer + v->offset + element;
