@@ -8,6 +8,7 @@ Besides the drive forces, every coordinate has a generalised force, and a force 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import sympy as sp
 
@@ -92,6 +93,16 @@ def is_solution(s: Symbols, acceleration: sp.Matrix) -> bool:
     return all(value.xreplace(point) == 0 for value in rest)
 
 
+def gram(columns: sp.Matrix) -> sp.Matrix:
+    """Products of columns by each other; all equations of a crane ask for the same ones."""
+    return (columns.T * columns).applyfunc(_simplified)
+
+
+@cache
+def _simplified(expression: sp.Expr) -> sp.Expr:
+    return sp.simplify(expression)
+
+
 def _suspension(s: Symbols) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """Columns d p / d (l, phi_x, phi_y), their Gram matrix, and the velocity-dependent part of p''.
 
@@ -100,10 +111,10 @@ def _suspension(s: Symbols) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """
     jacobian = load_position(s.q).jacobian(s.q)
     columns = jacobian[:, 2:]
-    gram = sp.simplify(columns.T * columns)
-    if not gram.is_diagonal():
+    squares = gram(columns)
+    if not squares.is_diagonal():
         raise AssertionError("the suspension's directions are orthogonal by construction")
-    return columns, gram, (jacobian * s.rate).jacobian(s.q) * s.rate
+    return columns, squares, (jacobian * s.rate).jacobian(s.q) * s.rate
 
 
 def _gravity(s: Symbols) -> sp.Matrix:
@@ -116,8 +127,8 @@ def accelerations(s: Symbols) -> sp.Matrix:
     The last three equations do not contain the carriage's inertia; they give the load's
     acceleration. The first two then give the carriage's.
     """
-    columns, gram, coriolis = _suspension(s)
-    rope = columns * gram.inv() * s.force[2:, :]
+    columns, squares, coriolis = _suspension(s)
+    rope = columns * squares.inv() * s.force[2:, :]
     load = (rope + s.load_force) / s.payload_mass - _gravity(s)
     reaction = s.load_force - s.payload_mass * load
     carriage = sp.Matrix(
@@ -127,7 +138,7 @@ def accelerations(s: Symbols) -> sp.Matrix:
         ]
     )
     relative = load - coriolis - sp.Matrix([carriage[0], carriage[1], 0])
-    return carriage.col_join(gram.inv() * columns.T * relative)
+    return carriage.col_join(squares.inv() * columns.T * relative)
 
 
 def driven_accelerations(s: Symbols, carriage: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
@@ -136,11 +147,11 @@ def driven_accelerations(s: Symbols, carriage: sp.Matrix) -> tuple[sp.Matrix, sp
     Returns the five accelerations and the drive forces for the prescribed motion; the sway torques
     s.force[3:] and the force on the load still act.
     """
-    columns, gram, coriolis = _suspension(s)
+    columns, squares, coriolis = _suspension(s)
     moved = sp.Matrix([carriage[0], carriage[1], 0]) + columns[:, 0] * carriage[2] + coriolis
     free = s.load_force / s.payload_mass - _gravity(s)
     sway = [
-        (s.force[2 + i] / s.payload_mass + columns[:, i].dot(free - moved)) / gram[i, i]
+        (s.force[2 + i] / s.payload_mass + columns[:, i].dot(free - moved)) / squares[i, i]
         for i in (1, 2)
     ]
     load = moved + columns[:, 1] * sway[0] + columns[:, 2] * sway[1]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from segfmu.crane.lagrangian import load_position
+from segfmu.crane.lagrangian import gram, load_position
 
 
 @dataclass(frozen=True)
@@ -121,12 +121,12 @@ def _pendulum(length: sp.Expr, angles: sp.Matrix, rates: sp.Matrix) -> _Pendulum
     end = load_position(sp.Matrix([0, 0, *q]))
     jacobian = end.jacobian(q)
     drift = ((jacobian * rates).jacobian(q) * rates).subs(q[0], length)
-    gram = sp.simplify(jacobian.T * jacobian)
-    if not gram.is_diagonal() or gram[0, 0] != 1:
+    squares = gram(jacobian)
+    if not squares.is_diagonal() or squares[0, 0] != 1:
         raise AssertionError("the directions of a rope are orthogonal by construction")
     return _Pendulum(
         jacobian[:, 0], jacobian[:, 1:].subs(q[0], length),
-        tuple(gram[i, i].subs(q[0], length) for i in (1, 2)), drift,
+        tuple(squares[i, i].subs(q[0], length) for i in (1, 2)), drift,
     )
 
 
