@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
@@ -80,14 +81,19 @@ def amalgamated() -> str:
                     f"kernels/{name}.py:{node.lineno}: only functions and constants translate"
                 )
     head = f"from math import {', '.join(sorted(imported))}"
-    return "\n\n\n".join([head, *texts]) + "\n"
+    return _unquoted("\n\n\n".join([head, *texts]) + "\n")
+
+
+def _unquoted(source: str) -> str:
+    """Annotations without their quotes: what stands in quotes Pyccel reads with another parser."""
+    return re.sub(r"'(\w+\[[:,]*\])'", r"\1", source)
 
 
 def resolved(name: str) -> str:
     """A kernel module with numbers in place of the names of records, codes and constants."""
     source = text(name)
     lines = source.splitlines(keepends=True)
-    parsed = ast.parse(source)
+    parsed = tree(name)
     # from the end, so that the other positions stay valid
     for node, value in sorted(_places(name, parsed), key=lambda p: _position(p[0]), reverse=True):
         row = lines[node.lineno - 1].encode()
