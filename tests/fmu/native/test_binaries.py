@@ -118,6 +118,18 @@ def test_the_cache_removes_old_libraries_alone(
 
 
 @needs_native
+def test_the_cache_keeps_libraries_that_are_used(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    platform = compilers.host()
+    assert platform is not None
+    monkeypatch.setattr(binaries, "KEPT", 2)
+    for name in ("Used", "Left", "Used", "New"):
+        binaries.binary(name, SMALL, platform)
+    assert sorted(p.name.partition("-")[0] for p in cache.iterdir()) == ["New", "Used"]
+
+
+@needs_native
 def test_a_damaged_entry_is_made_again(cache: Path) -> None:
     platform = compilers.host()
     assert platform is not None

@@ -12,6 +12,7 @@ import os
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -37,7 +38,7 @@ SHARED = (
 )
 # bytes of the digest that a file of the cache begins with
 DIGEST = hashlib.sha256().digest_size
-# newest entries of the cache that are kept, and their names
+# entries of the cache that are kept, those used last, and their names
 KEPT = 64
 OWN = re.compile(r"\w+-\w+-\w+-[0-9a-f]{32}")
 # by platform, held while its kernels are compiled
@@ -174,7 +175,12 @@ def _read(path: Path) -> bytes | None:
     except OSError:
         return None
     kept = content[DIGEST:]
-    return kept if hashlib.sha256(kept).digest() == content[:DIGEST] else None
+    if hashlib.sha256(kept).digest() != content[:DIGEST]:
+        return None
+    # another user's cache is one to read
+    with suppress(OSError):
+        os.utime(path)
+    return kept
 
 
 def _keep(path: Path, made: bytes) -> None:
