@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from functools import partial
 from pathlib import Path
 
@@ -21,6 +22,12 @@ from tests.sharing import shared
 settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=2000, deadline=None)
 settings.load_profile("repeatable")
+
+
+def pytest_collection_finish() -> None:
+    """Modules and thousands of tests stay: from here on nothing looks for garbage among them."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
@@ -61,7 +68,7 @@ def kernels_in_c(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The kernels as an object file."""
     require_cc()
     return shared(
-        tmp_path_factory, "kernels", lambda folder: kernels_object(folder, "-O1", "-fPIC")
+        tmp_path_factory, "kernels", lambda folder: kernels_object(folder, "-Og", "-fPIC")
     ) / "kernels.o"
 
 
