@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
 from segfmu.crane.feedback import EFFORT, Weights, design, design_schedule
@@ -31,6 +30,9 @@ def test_linearisation_is_the_derivative_of_the_rhs(length: float) -> None:
 @pytest.mark.parametrize("driven", [False, True])
 def test_gain_is_the_limit_of_the_riccati_recursion(driven: bool) -> None:
     """Dynamic programming over 20 s, with the weights of the crane made dimensionless."""
+    # takes half a second, which collection would take in each process
+    from scipy.signal import cont2discrete
+
     length, weights = 0.4, Weights(2.0, 0.5, 0.7, 1.5, 0.8, 10.0)
     found = design(
         Crane(*LAB), sample_time=0.01, shortest=length, longest=length, weights=weights,

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
-from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
 from segfmu.crane.feedback import design
@@ -27,6 +26,9 @@ LAB = Crane(2.2, 1.155, 1.0)
 
 @pytest.mark.parametrize("driven", [False, True])
 def test_sampled_is_a_zero_order_hold(driven: bool) -> None:
+    # takes half a second, which collection would take in each process
+    from scipy.signal import cont2discrete
+
     a, b = linearised(LAB, 0.5, driven)
     found = sampled(a, b, 0.03)
     expected = cont2discrete((a, b, np.eye(10), np.zeros((10, 3))), 0.03)[:2]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.signal import cont2discrete
 
 from segfmu import Crane, InputError
 from segfmu.crane.flat_feedback import design_flat
@@ -42,6 +41,9 @@ def held(driven: bool):
 @pytest.mark.parametrize("driven", [False, True])
 @pytest.mark.parametrize("axis", [0, 1, 2])
 def test_gain_is_the_limit_of_the_riccati_recursion(axis: int, driven: bool) -> None:
+    # takes half a second, which collection would take in each process
+    from scipy.signal import cont2discrete
+
     length, expected = 0.4, Uncertainty(position=2e-4, length=3e-4, drift=0.2, wind=0.07)
     observer = design_observer(
         LAB, sample_time=T, shortest=length, longest=length, driven=driven, lag=LAGS,

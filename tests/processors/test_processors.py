@@ -55,14 +55,16 @@ def test_durations_are_those_of_other_processors(
 
 @needs_kernels
 @pytest.mark.parametrize("options", [
-    ("-O1", "-fexpensive-optimizations", *FUSED), *soaked(("-O0", "-ffp-contract=off")),
+    ("-O1", "-fno-inline", "-fexpensive-optimizations", *FUSED),
+    *soaked(("-O0", "-ffp-contract=off")),
 ])
 def test_durations_are_those_of_kernels_compiled_otherwise(
     options: tuple[str, ...], given: list[Problem], expected: np.ndarray, tmp_path: Path
 ) -> None:
     """With FMA, in a soak also without optimisation; the command has them all.
 
-    GCC takes FMA by an optimisation of -O2, whose others would take half as long again.
+    GCC takes FMA by an optimisation of -O2, whose others would take half as long again, as would
+    inlining.
     """
     variant = build(tmp_path, "gcc", *options)
     if variant.skipped:
