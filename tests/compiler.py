@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -11,6 +13,7 @@ import pytest
 
 from segfmu.codegen.native import TARGET
 from segfmu.cosim import native
+from segfmu.fmu.native import compilers
 from segfmu.fmu.native.compilers import available
 from segfmu.kernels import backend
 
@@ -46,6 +49,18 @@ def kernels_object(folder: Path, *options: str) -> Path:
         [CC, *STRICT, *options, "-c", TARGET / "kernels.c", "-o", target], check=True
     )
     return target
+
+
+@contextmanager
+def optimised(level: str) -> Iterator[None]:
+    """Build FMUs that compile sooner than those of users with -O3.
+
+    -Og, unlike -O0, leaves out kernels that the model does not call.
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        options = tuple(level if option == "-O3" else option for option in compilers.OPTIONS)
+        patch.setattr(compilers, "OPTIONS", options)
+        yield
 
 
 def compiled_kernels() -> ModuleType:

@@ -266,13 +266,14 @@ int main(int count, char **words)
 @needs_cc
 def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
     objects, words = [], []
-    for path, spec in zip(native_fmus[2], SPECS, strict=True):
+    # the crane compiles in half the time without the kernels that it does not call, which -O0 keeps
+    for path, spec, level in zip(native_fmus[2], SPECS, ("-O0", "-Og"), strict=True):
         folder = tmp_path / path.stem
         with zipfile.ZipFile(path) as fmu:
             fmu.extractall(folder)
         objects.append(folder / "fmu.o")
         subprocess.run(
-            [CC, "-std=c99", "-Wall", "-Wextra", "-Werror",
+            [CC, "-std=c99", level, "-Wall", "-Wextra", "-Werror",
              f"-DFMI2_FUNCTION_PREFIX={path.stem}_", "-c", folder / "sources" / "fmu.c", "-o",
              objects[-1]],
             check=True,

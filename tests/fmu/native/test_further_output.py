@@ -11,10 +11,10 @@ from fmpy.fmi1 import FMICallException
 from segfmu.fmu import models
 from segfmu.fmu.gantry_crane.interface import native_spec, spec
 from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
-from segfmu.fmu.native import compilers
 from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
 from tests.campaign import soaked
+from tests.compiler import optimised
 from tests.fmu.native.importer import Importer
 
 MODEL, NAME = "FurtherCrane", "load.slant"
@@ -30,12 +30,10 @@ def further(own: Spec | None = None) -> Spec:
 
 @pytest.fixture(scope="module", params=[3, *soaked(2)])
 def built(request, tmp_path_factory) -> Path:
-    with pytest.MonkeyPatch.context() as patch:
+    # its speed is of no interest here
+    with pytest.MonkeyPatch.context() as patch, optimised("-Og"):
         model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)
         patch.setitem(models._registered, MODEL, model)
-        # its speed is of no interest here
-        faster = tuple("-O0" if o == "-O3" else o for o in compilers.OPTIONS)
-        patch.setattr(compilers, "OPTIONS", faster)
         folder = tmp_path_factory.mktemp("further")
         return build_all([further()], folder, fmi=request.param)[0]
 

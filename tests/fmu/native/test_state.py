@@ -9,10 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
-from segfmu.fmu.native import compilers
 from tests.campaign import campaign
+from tests.compiler import optimised
 from tests.fmu.native.importer import Importer
 
 CRANE = {"sway.x.angle": 0.1, "force.hoist": -9.81, "reference.rope.length": 0.5,
@@ -171,12 +172,11 @@ def test_states_of_another_build_are_refused(native_fmus, tmp_path: Path, monkey
     monkeypatch.setattr(native, "_packaged", changed)
     monkeypatch.setattr(native, "sources", native.sources.__wrapped__)  # its cache has the old ones
     # so little runs sooner than an optimised program compiles
-    quick = tuple("-O0" if option == "-O3" else option for option in compilers.OPTIONS)
-    monkeypatch.setattr(compilers, "OPTIONS", quick)
-    path, = native.build_all([gantry_feedforward.native_spec()], tmp_path)
-    with Importer(native_fmus[2][0]) as old, Importer(path) as new:
+    with optimised("-Og"):
+        path, = native.build_all([gantry_crane.native_spec()], tmp_path)
+    with Importer(native_fmus[2][1]) as old, Importer(path) as new:
         assert old.description.guid == new.description.guid
-        start(old, 0)
+        start(old, 1)
         with pytest.raises(Exception, match="ialize"):
             restore(new, serialised(old))
         assert "another build" in new.messages[-1]
