@@ -11,6 +11,7 @@ from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
@@ -25,7 +26,18 @@ SAMPLES = 3000
 def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG; the file appears when it is complete."""
     with replacing(path) as temporary:
-        figure.savefig(temporary, format="png", dpi=130)
+        _print(figure, temporary, 130.0)
+
+
+def _print(figure: Figure, target: Path | BytesIO, resolution: float) -> None:
+    """As `savefig`, which draws a figure that has a layout twice."""
+    canvas, usual = figure.canvas, figure.dpi
+    try:
+        figure.set_dpi(resolution)
+        FigureCanvasAgg(figure).print_png(target)
+    finally:
+        figure.set_dpi(usual)
+        figure.set_canvas(canvas)
 
 
 class Picture(Figure):
@@ -44,7 +56,7 @@ class Picture(Figure):
 
     def _repr_png_(self) -> bytes:
         data = BytesIO()
-        self.savefig(data, format="png", dpi=90)
+        _print(self, data, 90.0)
         return data.getvalue()
 
 
