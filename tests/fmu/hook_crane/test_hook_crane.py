@@ -13,14 +13,9 @@ from scipy.integrate import solve_ivp
 
 from segfmu.crane import Crane, Drive, Friction, Plant, Rig, Sensors, Setpoints
 from segfmu.crane.hook import HookController, HookCrane, design_hook
-from segfmu.fmu.build import build_all
-from segfmu.fmu.choice import Choice
-from segfmu.fmu.hook_crane.interface import spec
 from segfmu.kernels.hook.records import HookState
-from tests.compiler import require_native
 from tests.crane.hook_newton import forced
 from tests.fmu.checking import faults
-from tests.sharing import shared
 
 KINDS = [(fmi, kind) for fmi in (2, 3) for kind in ("CoSimulation", "ModelExchange")]
 NAMES = tuple(v for f in HookState.FIELDS.values() for v in f.variables)
@@ -32,16 +27,9 @@ START = dict(zip(NAMES, SWAYING.tolist(), strict=True))
 
 
 @pytest.fixture(scope="module")
-def archives(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+def archives(hook_fmus: dict[int, tuple[Path, Path]]) -> dict[int, Path]:
     """The archive by version of FMI."""
-    require_native()
-    return {
-        fmi: shared(
-            tmp_path_factory, f"hook{fmi}",
-            lambda folder, fmi=fmi: build_all(folder, Choice(True, fmi), [spec()]),
-        ) / "HookCrane.fmu"
-        for fmi in (2, 3)
-    }
+    return {fmi: crane for fmi, (_, crane) in hook_fmus.items()}
 
 
 def simulated(archive: Path, kind: str, start: dict[str, float], stop: float) -> np.ndarray:

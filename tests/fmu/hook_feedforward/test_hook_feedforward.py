@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,15 +11,9 @@ from fmpy import simulate_fmu
 from segfmu import Crane, FlatInverse, HookCrane, Limits, Waypoint, plan
 from segfmu.cosim import simulate
 from segfmu.crane import Friction
-from segfmu.fmu.build import build_all
-from segfmu.fmu.choice import Choice
-from segfmu.fmu.hook_crane.interface import spec as crane_spec
-from segfmu.fmu.hook_feedforward.interface import spec
 from segfmu.kernels.crane.records import DRIVES
 from segfmu.kernels.hook.records import HookFeedforward
-from tests.compiler import require_native
 from tests.fmu.checking import faults
-from tests.sharing import shared
 
 NAMES = tuple(v for f in HookFeedforward.FIELDS.values() for v in f.variables if v)
 KINDS = [(fmi, kind) for fmi in (2, 3) for kind in ("CoSimulation", "ModelExchange")]
@@ -35,20 +28,6 @@ RIGS = {
         ((0.0, 0.0, -10.0), (12.0, 6.0, -8.0)),
     ),
 }
-
-
-@pytest.fixture(scope="module")
-def archives(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path, Path]]:
-    """HookFeedforward and HookCrane by version of FMI."""
-    require_native()
-    found = {}
-    for fmi in (2, 3):
-        folder = shared(
-            tmp_path_factory, f"hooks{fmi}",
-            lambda folder, fmi=fmi: build_all(folder, Choice(True, fmi), [spec(), crane_spec()]),
-        )
-        found[fmi] = folder / "HookFeedforward.fmu", folder / "HookCrane.fmu"
-    return found
 
 
 def values(name: str, **other: float) -> dict[str, float]:
@@ -76,17 +55,17 @@ def inverse(name: str, smoothness: int = 6) -> FlatInverse:
 
 
 @pytest.mark.parametrize("fmi", [2, 3])
-def test_fmpy_finds_nothing(archives, fmi: int) -> None:
-    assert faults(archives[fmi][0]) == []
+def test_fmpy_finds_nothing(hook_fmus, fmi: int) -> None:
+    assert faults(hook_fmus[fmi][0]) == []
 
 
 @pytest.mark.parametrize("name", RIGS)
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
-def test_outputs_are_those_of_python(archives, kind: str, name: str) -> None:
+def test_outputs_are_those_of_python(hook_fmus, kind: str, name: str) -> None:
     expected = inverse(name)
     stop = expected.trajectory.duration
     rows = simulate_fmu(
-        str(archives[2][0]), fmi_type=kind, stop_time=stop, step_size=stop / 50,
+        str(hook_fmus[2][0]), fmi_type=kind, stop_time=stop, step_size=stop / 50,
         output_interval=stop / 50, start_values=values(name), output=[*NAMES, "plan.duration"],
     )
     assert rows["plan.duration"][0] == pytest.approx(stop, rel=1e-12)
@@ -101,9 +80,9 @@ def test_outputs_are_those_of_python(archives, kind: str, name: str) -> None:
         assert rows[variable] == pytest.approx(table[:, column], abs=2e-9 * scale), variable
 
 
-def missed(archives, fmi: int, name: str, step: float) -> float:
+def missed(hook_fmus, fmi: int, name: str, step: float) -> float:
     """Largest distance [m] of the load from its plan with ideal force drives and no feedback."""
-    source, sink = archives[fmi]
+    source, sink = hook_fmus[fmi]
     given = values(name)
     own = {n: v for n, v in given.items() if n.startswith(("crane.", "hook."))}
     start = {"start.on_reference": True, "feedback.enabled": False}
@@ -116,14 +95,14 @@ def missed(archives, fmi: int, name: str, step: float) -> float:
 
 
 @pytest.mark.parametrize("name", RIGS)
-def test_hook_crane_keeps_the_load_on_its_plan(archives, name: str) -> None:
+def test_hook_crane_keeps_the_load_on_its_plan(hook_fmus, name: str) -> None:
     """Hook and sling swing, the load does not leave its path."""
-    assert missed(archives, 2, name, 1e-3) <= 1e-9
+    assert missed(hook_fmus, 2, name, 1e-3) <= 1e-9
 
 
-def test_values_alone_converge_to_the_plan(archives) -> None:
+def test_values_alone_converge_to_the_plan(hook_fmus) -> None:
     """In FMI 3 the master has values, no derivatives: half the step, a quarter of the error."""
-    errors = [missed(archives, 3, "lab", step) for step in (1e-3, 5e-4)]
+    errors = [missed(hook_fmus, 3, "lab", step) for step in (1e-3, 5e-4)]
     assert errors[0] <= 2e-6
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.05)
 
@@ -147,21 +126,21 @@ def by_array(given: dict[str, float], fmi: int) -> dict[str, object]:
     ({"obstacle.count": 1}, r"obstacle\[1\]: the rope above a sling"),
     ({"planner.smoothness": 4}, r"planner\.smoothness"),
 ])
-def test_what_cannot_be_is_told(archives, changed: dict[str, float], text: str) -> None:
+def test_what_cannot_be_is_told(hook_fmus, changed: dict[str, float], text: str) -> None:
     messages: list[str] = []
     with pytest.raises(Exception, match="fmi2"):
         simulate_fmu(
-            str(archives[2][0]), stop_time=1.0, start_values=values("lab", **changed),
+            str(hook_fmus[2][0]), stop_time=1.0, start_values=values("lab", **changed),
             debug_logging=True, logger=lambda *m: messages.append(str(m[-1])),
         )
     assert any(re.search(text, m) for m in messages), messages
 
 
-def test_plans_slow_down_within_bounds_of_the_drives(archives) -> None:
+def test_plans_slow_down_within_bounds_of_the_drives(hook_fmus) -> None:
     """Uses of the bounds are those of the hook's own demands."""
     bounded = values("lab", **{"planner.slows_down": True, "drive.bridge.force_max": 1.0})
     rows = simulate_fmu(
-        str(archives[2][0]), stop_time=8.0, step_size=0.01, output_interval=0.01,
+        str(hook_fmus[2][0]), stop_time=8.0, step_size=0.01, output_interval=0.01,
         start_values=bounded, output=["force.bridge", "plan.use.bridge.force", "plan.pace"],
     )
     assert rows["plan.pace"][0] < 0.999
@@ -169,14 +148,14 @@ def test_plans_slow_down_within_bounds_of_the_drives(archives) -> None:
     assert 0.99 < np.abs(rows["force.bridge"]).max() <= 1.0 + 1e-9
 
 
-def test_limits_are_found_within_bounds_of_the_drives(archives) -> None:
+def test_limits_are_found_within_bounds_of_the_drives(hook_fmus) -> None:
     quantities = ("velocity", "acceleration", "jerk", "snap")
     free = {f"limits.{a}.{q}": 0.0 for a in "xyz" for q in quantities}
     force = {f"drive.{d}.force_max": f for d, f in zip(DRIVES, (3.0, 2.0, 12.5), strict=True)}
     velocity = {f"drive.{d}.velocity_max": 0.8 for d in DRIVES}
     given = values("lab", **free, **force, **velocity, **{"planner.finds_limits": True})
     rows = simulate_fmu(
-        str(archives[2][0]), stop_time=6.0, step_size=0.002, output_interval=0.002,
+        str(hook_fmus[2][0]), stop_time=6.0, step_size=0.002, output_interval=0.002,
         start_values=given, output=[*(f"force.{d}" for d in DRIVES), "plan.duration"],
     )
     for name, most in force.items():
@@ -185,14 +164,14 @@ def test_limits_are_found_within_bounds_of_the_drives(archives) -> None:
     assert rows["plan.duration"][0] < 4.0
 
 
-def test_friction_is_added_to_the_forces(archives) -> None:
+def test_friction_is_added_to_the_forces(hook_fmus) -> None:
     rubbing = Friction(viscous=(3.0, 2.0, 0.0), coulomb=(0.4, 0.2, 0.0))
     plain = inverse("lab")
     expected = FlatInverse(plain.crane, plain.trajectory, rubbing)
     known = {"friction.bridge.viscous": 3.0, "friction.trolley.viscous": 2.0,
              "friction.bridge.coulomb": 0.4, "friction.trolley.coulomb": 0.2}
     rows = simulate_fmu(
-        str(archives[2][0]), stop_time=1.5, step_size=0.05, output_interval=0.05,
+        str(hook_fmus[2][0]), stop_time=1.5, step_size=0.05, output_interval=0.05,
         start_values=values("lab", **known), output=["force.bridge", "force.trolley"],
     )
     for i, drive in enumerate(("bridge", "trolley")):
