@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -16,7 +16,7 @@ from segfmu.crane.checks import (
     require_positive,
     require_seed,
 )
-from segfmu.crane.variables import Value, build, fed, kept, require_values, values
+from segfmu.crane.variables import Value, fed, kept, require_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Plant
@@ -174,6 +174,10 @@ class Wind:
 
     def values(self) -> dict[str, float]:
         """As the FMU's variables."""
+        return dict(self._values)
+
+    @cached_property
+    def _values(self) -> dict[str, float]:
         gust = values(self.gust or Gust(0.0, 1.0), GUST)
         turbulence = values(self.turbulence or Turbulence((0.0, 0.0, 0.0)), TURBULENCE)
         return (
@@ -188,7 +192,7 @@ class Wind:
         turbulence: Turbulence | None = kept(Turbulence, TURBULENCE, value)
         if turbulence is not None and not any(turbulence.deviation):
             turbulence = None
-        return build(partial(cls, gust=gust, turbulence=turbulence), WIND, value)
+        return kept(cls, WIND, value, gust=gust, turbulence=turbulence)
 
 
 @dataclass(frozen=True)

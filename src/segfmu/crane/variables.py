@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, TypeVar
 
 import numpy as np
@@ -109,12 +110,15 @@ def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T
     return kind(**{name: f.field(value) for name, f in mapping.items()})
 
 
-def kept(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:
-    """The same of a frozen class, the one that was built last for the same numbers if there is."""
-    key = kind, *[float(value(v)) for f in mapping.values() for v in f.variables]
+def kept(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value, **parts: Any) -> T:
+    """The same of a frozen class, the one that was built last for the same numbers if there is.
+
+    parts : fields that no variables of the mapping feed, of frozen classes as well.
+    """
+    key = kind, *parts.items(), *[float(value(v)) for f in mapping.values() for v in f.variables]
     found = _built.get(key)
     if found is None:
-        found = build(kind, mapping, value)
+        found = build(partial(kind, **parts), mapping, value)
         if len(_built) >= MOST_BUILT:
             _built.clear()
         _built[key] = found

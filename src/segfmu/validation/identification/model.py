@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from copy import copy
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -87,7 +88,8 @@ class Model:
         value = (self._values | dict(changes)).__getitem__
         (first,) = self.records(setpoints[None])
         return Plant(
-            Crane.of(value), start, Setpoints.of(first), _nothing(times), driven=self._driven,
+            Crane.of(value), start, Setpoints.of(first),
+            _nothing(max(float(times[-1] - times[0]), 1.0)), driven=self._driven,
             enabled=False, rig=Rig.of(value), start_time=float(times[0]),
         )
 
@@ -119,8 +121,7 @@ def load_path(coordinates: FloatArray) -> FloatArray:
     return path
 
 
-def _nothing(times: FloatArray) -> SwayFeedback:
-    """No feedback, which is asked once."""
-    gains = np.zeros((1, Axes.SIZE, GainInputs.SIZE))
-    lasting = float(times[-1] - times[0])
-    return SwayFeedback(max(lasting, 1.0), np.ones(1), gains, 1.0)
+@cache
+def _nothing(lasting: float) -> SwayFeedback:
+    """No feedback, which is asked once in so many seconds."""
+    return SwayFeedback(lasting, np.ones(1), np.zeros((1, Axes.SIZE, GainInputs.SIZE)), 1.0)
