@@ -88,6 +88,7 @@ def test_states_that_are_free_for_one_axis_alone(tmp_path: Path) -> None:
     ("x,y,velocty_x\n1,2,3\n", "line 1: column 'velocty_x': known are x, y, velocity_x"),
     ("x,y,z,comment\n1,2,3,4\n", "line 1: column 'comment': known are x, y, z, velocity_x"),
     ("Z,X,Y\n3,1,2\n", "line 1: column 'Z': known are x, y, z, velocity_x"),
+    ("x\n\u0663\n", "line 2, column x: must be a finite number, got '\u0663'"),
     ("x\n1_0\n", "line 2, column x: must be a finite number, got '1_0'"),
     ("x;y\n1,5;2\n", "column x: must be a finite number, got '1,5'; decimals have a point"),
     ('x\n"1\n', "path.csv, line 2: "),

@@ -18,6 +18,8 @@ from segfmu.validation.signal_table import read_table
      ", line 2: time must be a number, got '0,0'; numbers have a decimal point"),
     ("time,a\n", "there is no row of numbers"),
     ("time,a\n0,1\n1,2\n2\n", ", line 4: 1 values for 2 columns"),
+    ("time,a\n0,1\n1,1_000\n", ", line 3: a must be a number, got '1_000'"),
+    ("time,a\n0,1\n1,\u0663\n", ", line 3: a must be a number, got '\u0663'"),
     ("time,a\n0,1\n1,fast\n", ", line 3: a must be a number, got 'fast'"),
     ("time,a\n0,1,2\n", "2 names but rows of 3 numbers"),
     ("time [ms],a\n0,1\n1,2\n", "column time is in ms; give it in s"),

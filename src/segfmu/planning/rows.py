@@ -68,6 +68,19 @@ def no_names(cells: Sequence[str]) -> str:
     return ""
 
 
+def number_of(cell: str) -> float:
+    """The number that a cell is.
+
+    Raises
+    ------
+    ValueError
+        For a text, also for what is a number in Python alone, such as 1_000.
+    """
+    if "_" in cell or not cell.isascii():
+        raise ValueError(f"no number: {cell}")
+    return float(cell)
+
+
 def name_and_unit(cell: str) -> tuple[str, str]:
     """Name of a column, and its unit in brackets, which may be missing."""
     found = UNIT.search(cell)

@@ -10,7 +10,7 @@ from typing import Any
 
 from segfmu.arrays import as_tuple, shown
 from segfmu.errors import InputError
-from segfmu.planning.rows import no_names, read_rows, require_count, without_units
+from segfmu.planning.rows import no_names, number_of, read_rows, require_count, without_units
 from segfmu.planning.waypoint import Waypoint
 
 # before an underscore and the name of an axis
@@ -137,11 +137,10 @@ def _state(where: str, column: str, cell: str) -> float | None:
 
 def _number(where: str, column: str, cell: str, other: str = "") -> float:
     try:
-        value = float(cell)
+        value = number_of(cell)
     except ValueError:
         value = float("nan")
-    # Python's 1_000 is another number elsewhere
-    if not isfinite(value) or "_" in cell:
+    if not isfinite(value):
         comma = "; decimals have a point" if "," in cell else ""
         raise InputError(
             f"{where}, column {column}: must be a finite number{other}, got {shown(cell)}{comma}"

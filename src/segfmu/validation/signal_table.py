@@ -22,6 +22,7 @@ from segfmu.planning.rows import (
     is_row,
     name_and_unit,
     no_names,
+    number_of,
     read_rows,
     repeated,
     require_count,
@@ -147,7 +148,7 @@ def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
         require_count(where, cells, names)
         for i in read:
             try:
-                row[i] = float(cells[i])
+                row[i] = number_of(cells[i])
             except ValueError:
                 hint = "; numbers have a decimal point" if "," in cells[i] else ""
                 hint = hint if cells[i] else "; leave out the rows that lack one"

@@ -57,6 +57,7 @@ WRONG = {
     "time,a\n0,0,1,5\n": "line 2: 4 values for 2 columns; decimals have a point",
     "time;a\n0;0,2\n": "line 2: a: got '0,2'; numbers have a decimal point",
     "time,a\n0,\n": "line 2: a is empty; repeat the value before",
+    "time,a\n0,1\n1_0,1\n": "line 3: time must be a time >= 0 s, got '1_0'",
     "time,a\n0,1\nnow,1\n": "line 3: time must be a time >= 0 s, got 'now'",
     "time,a\n-1,1\n": "line 2: time must be a time >= 0 s, got -1.0",
     "time,a\nnan,1\n": "line 2: time must be finite, got nan",

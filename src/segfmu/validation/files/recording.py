@@ -16,6 +16,7 @@ from segfmu.cosim import Change
 from segfmu.errors import InputError, meant
 from segfmu.planning.rows import (
     no_names,
+    number_of,
     read_rows,
     repeated,
     require_count,
@@ -135,7 +136,7 @@ def _cell(where: str, text: str) -> Cell:
     if text.lower() in ("true", "false"):
         return text.lower() == "true"
     try:
-        number = float(text)
+        number = number_of(text)
     except ValueError:
         if "," in text:
             raise InputError(f"{where}: got {text!r}; numbers have a decimal point") from None

@@ -28,7 +28,7 @@ from segfmu.fmu.standard.ls_ref import (
     read_experiments,
     read_manifest,
 )
-from segfmu.planning.rows import UNIT
+from segfmu.planning.rows import UNIT, number_of
 
 Read = TypeVar("Read")
 # as tables and parameter sets write them
@@ -230,7 +230,7 @@ def _columns(text: bytes) -> Columns:
     numbers, texts = {}, []
     for name, column in zip(names, zip(*rows, strict=True), strict=True):
         try:
-            numbers[name] = np.array([float(TRUTH.get(t.strip(), t)) for t in column])
+            numbers[name] = np.array([number_of(TRUTH.get(t.strip(), t.strip())) for t in column])
         except ValueError:
             texts.append(name)
     # an event has a row before and one behind
