@@ -148,10 +148,8 @@ def _show(task: Campaign, result: CampaignResult) -> None:
         worst = validate(files) if files else None
     report = result.report(result.folder / REPORT, worst)
     require_there((*(result.folder / name for name in CAMPAIGN_FILES), report, *files))
-    tell(
-        f"runs.parquet, results.json and report.html are in {result.folder}; the worst of each "
-        "criterion:"
-    )
+    worst_of = "; the worst of each criterion:" if files else ""
+    tell(f"runs.parquet, results.json and report.html are in {result.folder}{worst_of}")
     for path in files:
         _tell_replay(path)
     tell(f"report: {report}")

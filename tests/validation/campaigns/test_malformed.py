@@ -49,6 +49,10 @@ CAMPAIGNS = {
     "multiple of nothing": (
         "true_crane.payload_mass", "true_crane.bridge.force_max", "is no number in the files",
     ),
+    "multiple of zero": (
+        "range = [0.0, 1.0]", "range = [0.0, 1.0]\nrelative = true",
+        "sway: relative: simulation.initial_sway.0 is 0 in the files, as all its multiples are",
+    ),
     "name of a column": ('name = "sway"', 'name = "error"', "must have no dot and be none of"),
     "twice a name": ('name = "payload"', 'name = "sway"', "two of them are called sway"),
     "variants with a key": (

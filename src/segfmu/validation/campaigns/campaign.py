@@ -148,6 +148,7 @@ def load_campaign(path: Path) -> Campaign:
         require_utf8(place)
     try:
         ends = [s for own in source.scenarios for s in _ends(own, source.file.factors)]
+        _require_effects(source)
         files = [scenario.file for scenario in ends]
         criteria = [criterion for file in files for criterion in file.criteria]
         names = tuple(dict.fromkeys(c.name for c in criteria))
@@ -169,6 +170,16 @@ def load_campaign(path: Path) -> Campaign:
     except InputError as error:
         raise InputError(f"{path}: {error}") from None
     return campaign
+
+
+def _require_effects(source: CampaignSource) -> None:
+    """Refuse multiples of what is zero in all scenarios."""
+    for factor in source.file.factors:
+        if factor.relative and all(nominal(own, factor) == 0 for own in source.scenarios):
+            raise InputError(
+                f"factor {factor.name}: relative: {factor.key} is 0 in the files, as all its "
+                "multiples are; leave out relative, and give values"
+            )
 
 
 def _units(scenarios: Iterable[Scenario]) -> dict[str, str]:
