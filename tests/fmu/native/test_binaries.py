@@ -101,6 +101,24 @@ def test_kernels_of_all_models_are_compiled_once(
     assert compiled == [("core.c", ()), apart, apart]
 
 
+@needs_zig
+def test_both_fmus_of_a_page_share_their_kernels(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    compiled = []
+
+    def compile(_: compilers.Compiler, source: Path, *options: str) -> Path:
+        compiled.append(source.name)
+        return source
+
+    monkeypatch.setattr(compilers.Compiler, "compile", compile)
+    monkeypatch.setattr(compilers.Compiler, "link", lambda _, target, first, *__: first)
+    for name in ("one", "another"):
+        texts = KERNELS | {"fmu.c": OWN % name.encode()}
+        assert binaries.binary(name, texts, compilers.BROWSER.name) == texts["fmu.c"]
+    assert compiled == ["core.c", "fmu.c", "fmu.c"]
+
+
 @needs_native
 def test_the_cache_removes_old_libraries_alone(
     cache: Path, monkeypatch: pytest.MonkeyPatch
