@@ -323,7 +323,7 @@ def test_a_log_that_is_not_followed_is_told() -> None:
 def test_a_drive_that_moves_at_another_time_is_told(
     late: float, fit: list[str], told: str
 ) -> None:
-    times = np.linspace(0.0, 6.0, 200)
+    times = np.linspace(0.0, 6.0, 100)
     rate = 2.0 * np.pi / 6.0
     found = segfmu.identify(
         {"time": times, "velocity.bridge": 0.2 * np.sin(rate * times),
