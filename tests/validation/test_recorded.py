@@ -81,6 +81,15 @@ def test_a_mission_follows_a_recording(tmp_path: Path) -> None:
     assert run.time[-1] > load_recording(FOLDER / "lab" / "released.csv").end
 
 
+@pytest.mark.parametrize("crane", CRANES)
+def test_missions_allow_for_an_emergency_stop(crane: str) -> None:
+    """The command in docs/operator.md ended with a failed verdict."""
+    run = segfmu.simulate(
+        FOLDER / crane / "_mission.toml", commands=FOLDER / crane / "emergency.csv"
+    )
+    assert run.passed
+
+
 def test_values_of_a_profile_may_be_names(runner: Runner, tmp_path: Path) -> None:
     text = (
         f'name = "s"\nmission = "{(FOLDER / "lab" / "_mission.toml").as_posix()}"\n'
