@@ -198,7 +198,7 @@ class System:
         start_time: float = 0.0,
         changes: Iterable[Change] = (),
     ) -> None:
-        """Refuse names of FMUs and variables that a run with the same arguments would refuse.
+        """Refuse names, and values outside of the ranges of FMUs, without a run.
 
         Raises
         ------
@@ -211,6 +211,7 @@ class System:
                 known = self._units[owner].variables
                 if name not in known:
                     raise InputError(f"{owner} has no variable {name}{meant(name, known)}")
+            self._units[owner].require_within(own)
         connected = {(c.sink, c.input) for c in self.connections}
         due(self._units, changes, connected, (start_time, stop_time))
 

@@ -234,6 +234,16 @@ class Unit(ABC):
             channel = self._setter.fill(name, value)
             self._write(self.variables[name], channel)
 
+    def require_within(self, values: Mapping[str, Any]) -> None:
+        """Refuse values outside of the ranges that the description gives.
+
+        Raises
+        ------
+        InputError
+            For the first one.
+        """
+        self._setter.require_within(values)
+
     def assignments(self, values: Mapping[str, Any]) -> list[tuple[Channel, NDArray[Any]]]:
         """The channels that set variables, and what their buffers have to hold."""
         return self._setter.assignments(values)

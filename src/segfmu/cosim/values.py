@@ -105,6 +105,25 @@ class Setter:
             value = self._single(name, value)
         return self._number(self._unit.variables[name], value)
 
+    def require_within(self, values: Mapping[str, Any]) -> None:
+        """Refuse numbers outside of the ranges of their variables; what else is wrong `fill` tells.
+
+        Raises
+        ------
+        InputError
+            For the first one.
+        """
+        unit = self._unit
+        for name, value in values.items():
+            variable = unit.variables.get(name)
+            if variable is None or unit.TYPES.get(variable.type) in (None, str):
+                continue
+            own = self._domain(variable)
+            if own.bounded:
+                told = f"{unit.name}: {name}"
+                for number in _flat(value):
+                    own.require_within(told, own.number(told, number))
+
     def forget(self) -> None:
         """Free the texts of a run."""
         self._texts.clear()

@@ -73,6 +73,11 @@ CAMPAIGNS = {
         "simulation.initial_sway.0", "parameters.GantryCrane.drive.bridge.lug",
         "GantryCrane has no variable drive.bridge.lug; did you mean drive.bridge.lag?",
     ),
+    "outside of the range of the FMU": (
+        'key = "simulation.initial_sway.0"\nrange = [0.0, 1.0]',
+        'key = "parameters.GantryCrane.drive.bridge.lag"\nrange = [-0.1, 1.0]',
+        "factor sway = -0.1: GantryCrane: drive.bridge.lag must be at least 0, got -0.1",
+    ),
     "one key twice": (
         "simulation.initial_sway.0", "true_crane.payload_mass",
         "both set true_crane.payload_mass, of which only one could act; leave one out",
