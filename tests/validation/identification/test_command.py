@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -58,6 +59,7 @@ def test_the_command_writes_what_the_call_finds(
     assert "payload_mass is not told; kept at 1 kg" in told and "load's path" in told
     found = segfmu.identify(str(log), crane, fit=KEYS)
     assert repr(found).startswith("<Identification: trolley.lag ")
+    assert repr(replace(found, estimates=())).startswith("<Identification: the logs tell nothing; ")
     results = json.loads((out / "identification.json").read_text(encoding="utf-8"))
     lag = found["trolley.lag"]
     assert results["estimates"][0] == {

@@ -176,5 +176,5 @@ class Identification:
 
     def __repr__(self) -> str:
         loads = ", ".join(told(p.load) for p in self.predicted if p.load is not None)
-        values = ", ".join(map(str, self.estimates))
+        values = ", ".join(map(str, self.estimates)) or "the logs tell nothing"
         return f"<Identification: {values}{f'; load {loads}' if loads else ''}>"
