@@ -98,6 +98,23 @@ def test_requested_duration_is_met(synchronize: str) -> None:
     assert verify(trajectory).passed
 
 
+@pytest.mark.parametrize("synchronize", ["waypoints", "total"])
+@pytest.mark.parametrize("dwell", [0.3, 17.1, 5990.975837694747, 71234.56])
+def test_a_duration_of_a_plan_is_feasible_beside_long_dwells(
+    dwell: float, synchronize: str
+) -> None:
+    limits = Limits(100.0, 1e4, 1e6)
+    points = [
+        Waypoint([0.0, 0.0], dwell=dwell), Waypoint([2e-3, 1e-3], dwell=0.7 * dwell),
+        Waypoint([3e-3, 7e-3]),
+    ]
+    shortest = plan(points, limits, smoothness=2).duration
+    asked = plan(points, limits, smoothness=2, duration=shortest, synchronize=synchronize)
+    assert asked.duration == pytest.approx(shortest, rel=1e-13)
+    with pytest.raises(InfeasibleError, match="shorter than the shortest plan"):
+        plan(points, limits, smoothness=2, duration=shortest * (1.0 - 1e-9))
+
+
 @pytest.mark.parametrize("sample_time", [1e-3, 0.01, 0.25])
 def test_intervals_are_multiples_of_the_sample_time(sample_time: float) -> None:
     trajectory = plan(PAPER, LIMITS, sample_time=sample_time)

@@ -143,7 +143,7 @@ def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
 
 def _same(old: Waypoint, targets: tuple[Waypoint, Waypoint]) -> bool:
     """Whether a waypoint is a target, as it was given or as the request has rounded it."""
-    equal = (np.array_equal(old.state(2), target.state(2)) for target in targets)
+    equal = (np.array_equal(old.planned, target.planned) for target in targets)
     return any(equal) and old.dwell == targets[0].dwell
 
 

@@ -17,10 +17,10 @@ LIMITS = np.array([1.0, 1.0, 4.0, 20.0, 0.0])
 NONE = np.zeros((1, 2)), np.zeros((1, 8)), np.zeros(4, dtype=np.int64)
 # each axis gains by a lead over a level; the first one takes the longest time
 NOW = np.array([
-    [0.0, -0.44, -0.05, -3.48, 6.71], [0.0, 0.58, 0.57, 2.62, -10.94],
+    [0.0, -0.76, -0.02, -2.01, -11.02], [0.0, 0.58, 0.57, 2.62, -10.94],
     [0.0, 0.77, 0.08, -2.2, -14.72],
 ])
-TARGETS = np.array([[place, 0.0, 0.0, 0.0, 0.0] for place in (-2.57, 0.82, 0.77)])
+TARGETS = np.array([[place, 0.0, 0.0, 0.0, 0.0] for place in (0.02, 0.82, 0.77)])
 
 
 class Found(NamedTuple):
@@ -79,7 +79,7 @@ def test_only_the_axis_that_is_late_hurries() -> None:
         leads(LeadStage.ACCELERATION, time).ends for time in (1e3, -1.0, 0.0)
     )
     times = patient[:, LeadEnd.TIME]
-    assert (hasty[:, LeadEnd.TIME] < times * (1.0 - 1e-5)).all()
+    assert (hasty[:, LeadEnd.TIME] < times * (1.0 - 1e-4)).all()
     late = np.arange(3) == times.argmax()
     assert ((meeting[:, LeadEnd.HASTY] == 1.0) == late).all()
     assert (meeting[:, LeadEnd.TIME] == np.where(late, hasty[:, LeadEnd.TIME], times)).all()

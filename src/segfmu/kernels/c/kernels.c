@@ -851,7 +851,7 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
 static void set_limits(double steep, array_double_2d lead);
 static bool is_settled(array_double_2d lead);
 static void soonest_ends(int64_t order, array_double_2d lead);
-static double profile_time(array_double_2d lead);
+static double profile_time(bool ramps, array_double_2d lead);
 static void time_anew(int64_t order, array_double_2d lead);
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool begins_now(array_double_2d lead, array_double_2d coefficients);
@@ -862,13 +862,14 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
 static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool leads_in(double time, array_double_2d lead);
 static int64_t first_free_stage(int64_t order);
+static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool leads_in(double time, array_double_2d lead);
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
+static bool jumps_often(array_double_2d lead);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -20762,6 +20763,10 @@ static int64_t loop_form(int64_t last, int64_t count, double longest, array_doub
     int64_t sample;
     double duration;
     int64_t used;
+    if ((*cspan_at(&axis, INT64_C(12))) == INT64_C(1))
+    {
+        return count;
+    }
     family = span_row(&work, INT64_C(98));
     trial = span_rows(&work, INT64_C(0), INT64_C(21));
     missing = set_loop(problem, axis, family);
@@ -23888,7 +23893,7 @@ static double largest_excess(array_double_1d axis, array_double_2d work)
 static bool is_brief(array_double_1d axis)
 {
     bool result;
-    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(12))) == 0.0);
+    result = ramps_suffice(axis) && ((*cspan_at(&axis, INT64_C(12))) != INT64_C(2));
     return result;
 }
 static bool shorter_solution(array_double_1d problem, array_double_1d axis, array_double_2d work)
@@ -25370,7 +25375,7 @@ static int64_t shortest_braked(array_double_1d asked, array_double_1d axis, arra
     {
         status = shorter_dipped(status, phases, asked, axis, work);
     }
-    if (((*cspan_at(&axis, INT64_C(12))) != 0.0) && (total_duration(phases, status) > far))
+    if (((*cspan_at(&axis, INT64_C(12))) == INT64_C(2)) && (total_duration(phases, status) > far))
     {
         status = touching_form(status, phases, asked, axis, work);
     }
@@ -26511,7 +26516,7 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
             best = until;
             chosen = steep;
         }
-        else if ((best < 1e+300) && (i > INT64_C(2)))
+        else if ((best < 1e+300) && (i > INT64_C(1)))
         {
             break;
         }
@@ -26801,7 +26806,7 @@ static void soonest_ends(int64_t order, array_double_2d lead)
         (*cspan_at(&lead, INT64_C(14), order)) = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
     }
 }
-static double profile_time(array_double_2d lead)
+static double profile_time(bool ramps, array_double_2d lead)
 {
     array_double_1d state;
     array_double_1d target;
@@ -26831,7 +26836,7 @@ static double profile_time(array_double_2d lead)
     (*cspan_at(&problem, INT64_C(3))) = (*cspan_at(&target, INT64_C(3)));
     (*cspan_at(&problem, INT64_C(4))) = (*cspan_at(&target, INT64_C(4))) - (*cspan_at(&state, INT64_C(0)));
     count = -INT64_C(1);
-    if ((*cspan_at(&lead, INT64_C(16), INT64_C(4))) != 0.0)
+    if (ramps)
     {
         count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
     }
@@ -26851,7 +26856,6 @@ static void time_anew(int64_t order, array_double_2d lead)
     int64_t i;
     double rest;
     double time;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 0.0;
     if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
     {
         return;
@@ -26860,7 +26864,7 @@ static void time_anew(int64_t order, array_double_2d lead)
     {
         (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(11), i));
     }
-    rest = profile_time(lead);
+    rest = profile_time(0, lead);
     if (rest >= 0.0)
     {
         time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + rest;
@@ -27001,7 +27005,7 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
     {
         return 1e+300;
     }
-    rest = profile_time(lead);
+    rest = profile_time(1, lead);
     if (rest < 0.0)
     {
         return 1e+300;
@@ -27040,19 +27044,23 @@ static double try_end(int64_t order, int64_t stage, double end, array_double_1d 
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double bound;
+    double end;
     int64_t i;
     double step;
     double around;
-    double worst;
+    double nearest;
     int64_t side;
-    double end;
     double time;
     bound = (*cspan_at(&lead, INT64_C(12), stage));
     if (((*cspan_at(&lead, INT64_C(15), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
     {
-        for (i = -INT64_C(4); i < INT64_C(5); i += INT64_C(1))
+        try_end(order, stage, 0.0, limits, lead, timing, coefficients);
+        end = bound;
+        for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
         {
-            try_end(order, stage, 0.25 * i * bound, limits, lead, timing, coefficients);
+            try_end(order, stage, end, limits, lead, timing, coefficients);
+            try_end(order, stage, -end, limits, lead, timing, coefficients);
+            end = 0.25 * end;
         }
     }
     step = 0.125 * bound;
@@ -27063,40 +27071,66 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
         {
             break;
         }
-        worst = 0.0;
+        nearest = 1e+300;
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             end = around + step * (INT64_C(1) - INT64_C(2) * side);
-            time = try_end(order, stage, end, limits, lead, timing, coefficients);
-            worst = span_max(worst, time);
-        }
-        if (worst <= 1.0001 * (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
-        {
-            break;
+            if ((fabs(end) <= bound) || (fabs(around) < bound))
+            {
+                time = try_end(order, stage, end, limits, lead, timing, coefficients);
+                if (time >= (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
+                {
+                    nearest = span_min(nearest, time);
+                }
+            }
         }
         if ((*cspan_at(&lead, INT64_C(15), stage)) == around)
         {
+            if (nearest <= 1.001 * (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
+            {
+                break;
+            }
             step = 0.5 * step;
         }
     }
 }
-static void follow_profile(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t first_free_stage(int64_t order)
+{
+    if (order == INT64_C(1))
+    {
+        return order + INT64_C(2);
+    }
+    return order;
+}
+static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d first;
+    int64_t stage;
+    double time;
+    double bound;
     int64_t i;
-    double level;
     double before;
+    double level;
     first = span_row(&lead, INT64_C(20));
-    for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+    stage = first_free_stage(order);
+    soonest_ends(order, lead);
+    time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+    if (is_settled(lead) || (stage >= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))))))
     {
-        if ((*cspan_at(&first, INT64_C(4))) != 0.0)
+        return;
+    }
+    bound = (*cspan_at(&lead, INT64_C(12), stage));
+    for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
+    {
+        if ((time >= 1e+300) || ((*cspan_at(&first, INT64_C(4))) != 0.0))
         {
             break;
         }
-        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
         before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
-        try_end(order, stage, level, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before)
+        level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
+        (*cspan_at(&lead, INT64_C(14), stage)) = span_min(span_max(level, -bound), bound);
+        time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
+        if ((before >= 0.0) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) > 0.9999 * before))
         {
             break;
         }
@@ -27108,97 +27142,74 @@ static bool leads_in(double time, array_double_2d lead)
     result = (0.0 <= (*cspan_at(&lead, INT64_C(16), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) <= time);
     return result;
 }
-static int64_t first_free_stage(int64_t order)
-{
-    if (order == INT64_C(1))
-    {
-        return order + INT64_C(2);
-    }
-    return order;
-}
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    int64_t smoothness;
-    int64_t first_free;
-    int64_t sweep;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
-    first_free = first_free_stage(order);
-    for (sweep = INT64_C(0); sweep < INT64_C(2); sweep += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        if (sweep == INT64_C(1))
-        {
-            time_anew(order, lead);
-        }
-        for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
-        {
-            stage = first_free + INT64_C(2) * i;
-            if (stage < smoothness)
-            {
-                if (i == INT64_C(0))
-                {
-                    follow_profile(order, stage, limits, lead, timing, coefficients);
-                }
-                if (leads_in(within_0001, lead))
-                {
-                    return;
-                }
-                search_end(order, stage, limits, lead, timing, coefficients);
-            }
-        }
-        if (first_free + INT64_C(2) >= smoothness)
+        stage = first_free_stage(order) + INT64_C(2) * i;
+        if (leads_in(within_0001, lead))
         {
             break;
         }
+        if (stage < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
+        {
+            search_end(order, stage, limits, lead, timing, coefficients);
+        }
     }
 }
-static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
-    int64_t i;
-    soonest_ends(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
-    }
-    try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (!is_settled(lead))
-    {
-        improve_ends(order, within_0001, limits, lead, timing, coefficients);
-    }
-}
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double steep;
     int64_t i;
     double before;
-    int64_t j;
+    double chosen;
+    chosen = 1.0;
     steep = 1.0;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(4))) = 1.0;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
         (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
         before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
-        if (before >= 0.0)
+        try_soonest(order, limits, lead, timing, coefficients);
+        if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (!is_settled(lead)))
         {
-            for (j = INT64_C(0); j < INT64_C(9); j += INT64_C(1))
-            {
-                (*cspan_at(&lead, INT64_C(14), j)) = (*cspan_at(&lead, INT64_C(15), j));
-            }
-            try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-            if ((i > INT64_C(1)) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before))
-            {
-                break;
-            }
+            improve_ends(order, within_0001, limits, lead, timing, coefficients);
         }
-        search_ends(order, within_0001, limits, lead, timing, coefficients);
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) != before)
+        {
+            chosen = steep;
+        }
+        else if (i > INT64_C(1))
+        {
+            break;
+        }
         if (leads_in(within_0001, lead))
         {
             break;
         }
         steep = 10.0 * steep;
     }
+    return chosen;
+}
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    double steep;
+    soonest_ends(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
+    }
+    steep = choose_steepness(order, within_0001, limits, lead, timing, coefficients);
+    if (is_settled(lead) || leads_in(within_0001, lead))
+    {
+        return;
+    }
+    set_limits(steep, lead);
+    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+    improve_ends(order, within_0001, limits, lead, timing, coefficients);
 }
 static double near_zero(double i)
 {
@@ -27213,6 +27224,12 @@ static double near_zero(double i)
         share = -share;
     }
     return share;
+}
+static bool jumps_often(array_double_2d lead)
+{
+    bool result;
+    result = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) > INT64_C(4);
+    return result;
 }
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -27260,8 +27277,8 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
         least = 1.2 * (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
     }
     found = 1e+300;
-    count = INT64_C(3);
-    if ((int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) > INT64_C(4))
+    count = INT64_C(0);
+    if (jumps_often(lead))
     {
         count = INT64_C(12);
     }
@@ -27270,7 +27287,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
         level = kept;
         if (i >= -count)
         {
-            level = near_zero(INT64_C(12) * i / (double)(count)) * (*cspan_at(&lead, INT64_C(12), stage));
+            level = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(12), stage));
         }
         time = follow_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
@@ -27288,7 +27305,6 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
     int64_t useless;
     int64_t i;
     double around;
-    double worst;
     int64_t side;
     double level;
     double time;
@@ -27298,28 +27314,26 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         around = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
-        worst = 0.0;
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
             time = try_level(order, level, least, limits, lead, timing, coefficients);
-            worst = span_max(worst, time);
             if (time < (1.0 - 1e-10) * least)
             {
                 least = time;
                 (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = level;
             }
         }
+        useless = useless + INT64_C(1);
         if ((*cspan_at(&lead, INT64_C(16), INT64_C(2))) == around)
         {
             step = 0.25 * step;
-            useless = useless + INT64_C(1);
         }
         else
         {
             useless = INT64_C(0);
         }
-        if ((useless == INT64_C(4)) || (worst <= 1.0001 * least))
+        if (useless == INT64_C(4))
         {
             break;
         }
@@ -27329,23 +27343,21 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
 {
     double steep;
     double found;
-    int64_t highest;
     int64_t i;
     double before;
     double level;
     steep = 1.0;
     found = 1e+300;
-    highest = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
     (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = (*cspan_at(&lead, INT64_C(8), level_order(order, lead)));
     (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
         before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
-        if ((found >= 1e+300) || ((i == INT64_C(1)) && (highest > INT64_C(4))))
+        if ((found >= 1e+300) || ((i == INT64_C(1)) && jumps_often(lead)))
         {
             found = search_grid(order, limits, lead, timing, coefficients);
-            if (found < 1e+300)
+            if ((found < 1e+300) && jumps_often(lead))
             {
                 improve_level(order, found, limits, lead, timing, coefficients);
             }
@@ -28958,11 +28970,11 @@ static double slower_passing(array_double_1d axis, array_double_2d cell, array_d
     if ((*cspan_at(&cell, INT64_C(67), INT64_C(6))) != 0.0)
     {
         count = slowed_shortest(phases, problem, axis, work);
-        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) != 0.0))
+        if ((count == INT64_C(0)) && ((*cspan_at(&axis, INT64_C(12))) == INT64_C(2)))
         {
-            (*cspan_at(&axis, INT64_C(12))) = 0.0;
+            (*cspan_at(&axis, INT64_C(12))) = INT64_C(0);
             count = slowed_shortest(phases, problem, axis, work);
-            (*cspan_at(&axis, INT64_C(12))) = 1.0;
+            (*cspan_at(&axis, INT64_C(12))) = INT64_C(2);
         }
     }
     if ((count == INT64_C(0)) && (!ramps_suffice(axis)))
@@ -29433,10 +29445,10 @@ static double plan_steeper(int64_t missed, int64_t axis, array_double_2d axes, a
 }
 static void plan_thoroughly(double share, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
-    (*cspan_at(&axes, axis, INT64_C(12))) = 1.0;
+    (*cspan_at(&axes, axis, INT64_C(12))) = INT64_C(2);
     if (!shorter_with(share, share, 1.0 - 1e-09, axis, axes, cells, work))
     {
-        (*cspan_at(&axes, axis, INT64_C(12))) = 0.0;
+        (*cspan_at(&axes, axis, INT64_C(12))) = INT64_C(0);
     }
 }
 static int64_t plan_refused(int64_t* result_0, double* result_1, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
@@ -29797,11 +29809,11 @@ static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options,
     target = longest;
     if (duration > 0.0)
     {
-        target = duration - resting;
-        if (target < longest * (1.0 - 1e-13))
+        if (duration < (longest + resting) * (1.0 - 1e-13))
         {
             return -INT64_C(5);
         }
+        target = span_max(duration - resting, longest);
     }
     if ((synchronization != INT64_C(2)) && (duration <= 0.0))
     {
@@ -33058,6 +33070,7 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
 {
     int64_t count;
     int64_t last;
+    int64_t axis;
     int64_t sweep;
     bool backwards;
     int64_t k;
@@ -33069,6 +33082,10 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
     count = axes.shape[INT64_C(0)];
     last = states.shape[INT64_C(0)] - INT64_C(1);
     plan_lengths(states, spans, axes, cells, work);
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        (*cspan_at(&axes, axis, INT64_C(12))) = INT64_C(1);
+    }
     (*cspan_at(&path, INT64_C(16))) = 0.03;
     for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
     {
@@ -33092,6 +33109,10 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
             }
         }
         (*cspan_at(&path, INT64_C(16))) = 0.32 * (*cspan_at(&path, INT64_C(16)));
+    }
+    for (axis = INT64_C(0); axis < count; axis += INT64_C(1))
+    {
+        (*cspan_at(&axes, axis, INT64_C(12))) = INT64_C(0);
     }
     total = 0.0;
     for (j = INT64_C(0); j < spans.shape[INT64_C(0)]; j += INT64_C(1))

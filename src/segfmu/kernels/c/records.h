@@ -1702,7 +1702,7 @@ enum {
     TRACK_JERK = 4,
     TRACK_LOWER = 9,
     TRACK_RAISED = 11,
-    TRACK_THOROUGH = 12,
+    TRACK_EFFORT = 12,
     TRACK_FULL_RAMP = 13,
     TRACK_PLATEAU = 14,
     TRACK_LINEAR_FROM = 15,
@@ -1869,6 +1869,12 @@ enum {
 };
 
 enum {
+    EFFORT_USUAL = 0,
+    EFFORT_QUICK = 1,
+    EFFORT_THOROUGH = 2
+};
+
+enum {
     RISES_USUAL = 0,
     RISES_MODERATE = 1,
     RISES_STEEPEST = 2
@@ -1926,7 +1932,7 @@ enum {
     AXIS_JERK = 4,
     AXIS_LOWER = 9,
     AXIS_RAISED = 11,
-    AXIS_THOROUGH = 12,
+    AXIS_EFFORT = 12,
     AXIS_FULL_RAMP = 13,
     AXIS_PLATEAU = 14,
     AXIS_LINEAR_FROM = 15,
@@ -2529,8 +2535,7 @@ enum {
     LEAD_COUNT = 1,
     LEAD_LEVEL = 2,
     LEAD_GAIN = 3,
-    LEAD_RAMPS = 4,
-    LEAD_SIZE = 5
+    LEAD_SIZE = 4
 };
 
 enum {

@@ -6,7 +6,7 @@ from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
 from segfmu.kernels.planner.merged import write_member
 from segfmu.kernels.planner.phases import copy_phases, valid_duration
-from segfmu.kernels.planner.records import Family, LoopArc, PlanWork, Problem
+from segfmu.kernels.planner.records import Axis, Effort, Family, LoopArc, PlanWork, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
@@ -192,6 +192,8 @@ def loop_form(
     last: of LoopArc; count: phases of the profile, 0 if there is none; longest: its duration, or
     the longest one that is looked for [s]. Returns the new number of phases.
     """
+    if axis[Axis.EFFORT] == Effort.QUICK:
+        return count
     family = work[PlanWork.FAMILY, :]
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     missing = set_loop(problem, axis, family)

@@ -306,9 +306,10 @@ def synchronize_plan(
     report[Refusal.BOUND] = duration
     target = longest
     if duration > 0.0:
-        target = duration - resting
-        if target < longest * (1.0 - SAME):
+        if duration < (longest + resting) * (1.0 - SAME):
             return PlanStatus.DURATION_TOO_SHORT
+        # beside long dwells the difference has their rounding errors
+        target = max(duration - resting, longest)
     if synchronization != Synchronization.TOTAL and duration <= 0.0:
         return PlanStatus.PLANNED
     report[Refusal.VALUE] = target + resting

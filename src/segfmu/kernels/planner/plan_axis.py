@@ -15,6 +15,7 @@ from segfmu.kernels.planner.phases import copy_phases, is_passing, total_duratio
 from segfmu.kernels.planner.records import (
     Axis,
     Cell,
+    Effort,
     Family,
     Interval,
     Place,
@@ -156,9 +157,9 @@ def plan_thoroughly(
     share: that of the rises of the present plan. It stays, so that all durations which that plan
     could last are feasible still (`slower_passing`).
     """
-    axes[axis, Axis.THOROUGH] = 1.0
+    axes[axis, Axis.EFFORT] = Effort.THOROUGH
     if not shorter_with(share, share, 1.0 - WORTH, axis, axes, cells, work):
-        axes[axis, Axis.THOROUGH] = 0.0
+        axes[axis, Axis.EFFORT] = Effort.USUAL
 
 
 def plan_refused(

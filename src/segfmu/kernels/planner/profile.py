@@ -25,6 +25,7 @@ from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
 from segfmu.kernels.planner.phases import boundary_problem, is_resting, total_duration
 from segfmu.kernels.planner.records import (
     Axis,
+    Effort,
     Family,
     LoopArc,
     Passing,
@@ -167,7 +168,7 @@ def shortest_braked(
         far = FAR_FROM_FREE * free
     elif total_duration(phases, status) > most:
         status = shorter_dipped(status, phases, asked, axis, work)
-    if axis[Axis.THOROUGH] != 0.0 and total_duration(phases, status) > far:
+    if axis[Axis.EFFORT] == Effort.THOROUGH and total_duration(phases, status) > far:
         status = touching_form(status, phases, asked, axis, work)
     work[PlanWork.FAMILY, Family.SLOW] = total_duration(phases, status) > most
     return status

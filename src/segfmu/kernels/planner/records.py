@@ -62,6 +62,18 @@ class Braking(Codes):
     NOT_NEEDED = -3
 
 
+class Effort(Codes):
+    """How many ways of planning an axis are tried.
+
+    QUICK: without levels next to one ramp, where many plans are compared that differ by little.
+    THOROUGH: passing profiles also have the starts and ways that take long.
+    """
+
+    USUAL = 0
+    QUICK = 1
+    THOROUGH = 2
+
+
 class Rises(Codes):
     """How steep the rises of the ramps are (parameters.py).
 
@@ -151,7 +163,7 @@ class Axis(Record):
     JERK = field("limits c_3 .. c_7 of the jerk and what follows; 0 where absent", size=5)
     LOWER = field("the first two in the negative direction, see Lower", size=2)
     RAISED = field("order of the derivative that takes the place of the position: 0 but in leads")
-    THOROUGH = field("1: passing profiles also have the starts and ways that take long")
+    EFFORT = field("how many ways are tried, see Effort")
     FULL_RAMP = field("duration of the ramp from zero to the larger acceleration limit", "s")
     PLATEAU = field("1 where the ramps are plateau ramps, else 0")
     LINEAR_FROM = field("change from which the duration is linear; 1e300: none", "m/s2")

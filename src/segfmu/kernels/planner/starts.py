@@ -19,6 +19,7 @@ from segfmu.kernels.planner.plateaus import (
 from segfmu.kernels.planner.ramp import inner_rise, ramp_duration
 from segfmu.kernels.planner.records import (
     Axis,
+    Effort,
     Excess,
     Family,
     Node,
@@ -199,7 +200,7 @@ def is_brief(axis: 'float[:]') -> bool:
 
     Of 2,000 plans one would be shorter by 0.5 %.
     """
-    return ramps_suffice(axis) and axis[Axis.THOROUGH] == 0.0
+    return ramps_suffice(axis) and axis[Axis.EFFORT] != Effort.THOROUGH
 
 
 def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:

@@ -43,6 +43,7 @@ from segfmu.kernels.planner.records import (
     Axis,
     Braking,
     Cell,
+    Effort,
     Gentle,
     Interval,
     Nearest,
@@ -304,11 +305,11 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     count = 0
     if cell[Cell.RESULT, Interval.PASSING] != 0.0:
         count = slowed_shortest(phases, problem, axis, work)
-        if count == 0 and axis[Axis.THOROUGH] != 0.0:
+        if count == 0 and axis[Axis.EFFORT] == Effort.THOROUGH:
             # one whose velocity touches its limit may be alone between gaps
-            axis[Axis.THOROUGH] = 0.0
+            axis[Axis.EFFORT] = Effort.USUAL
             count = slowed_shortest(phases, problem, axis, work)
-            axis[Axis.THOROUGH] = 1.0
+            axis[Axis.EFFORT] = Effort.THOROUGH
     if count == 0 and not ramps_suffice(axis):
         count = plain_profile(problem, axis, phases, work)
         count = slower_form(count, phases, problem, axis, work)

@@ -106,7 +106,7 @@ def best_steepness(
         if count > 0 and until < SHORTER * best:
             best = until
             chosen = steep
-        elif best < NEVER and i > 2:
+        elif best < NEVER and i > 1:
             break
         steep = STEEPER * steep
     return chosen, best

@@ -1,22 +1,21 @@
 """The shortest lead over a level: see level.py.
 
 Each level is followed to the one at which the profile behind it stays first. The search begins
-with the present value, goes over a grid, and refines by halved steps.
+with the present value and zero. With limits above the snap the time jumps often: there it goes
+over a grid, and refines by smaller steps.
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, GAINED, NEVER
 from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
-from segfmu.kernels.settling.search import FLAT, STEEPER, STEEPEST, WORTH_STEEPER
+from segfmu.kernels.settling.search import STEEPER, STEEPEST, WORTH_STEEPER
 from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
 
 # halved steps without a gain, after which a level is no more improved
 USELESS = 4
-# levels of a grid on each side of zero, with limits above the snap and without, and each one over
-# the next larger one
+# levels of a grid on each side of zero, and each one over the next larger one
 FINEST = 12
-COARSE = 3
 DENSER = 0.7
 # times of a grid over the best one from which smaller steps still lead to a better one
 HOPEFUL = 1.2
@@ -35,6 +34,11 @@ def near_zero(i: float) -> float:
     if i < 0.0:
         share = -share
     return share
+
+
+def jumps_often(lead: 'float[:,:]') -> bool:
+    """Whether the time of leads jumps often between levels: with limits above the snap."""
+    return int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) > 4
 
 
 def follow_level(
@@ -73,7 +77,7 @@ def search_grid(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
-    """Search for the shortest lead over a level on a grid, and at the one before; its time [s].
+    """Search for the soonest lead over the level before, zero, or levels on a grid; its time [s].
 
     NEVER: there is none.
     """
@@ -83,14 +87,13 @@ def search_grid(
     if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
         least = HOPEFUL * lead[LeadWork.BEST, Lead.TIME]
     found = NEVER
-    # with limits above the snap the time jumps more often
-    count = COARSE
-    if int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) > 4:
+    count = 0
+    if jumps_often(lead):
         count = FINEST
     for i in range(-count - 1, count + 1):
         level = kept
         if i >= -count:
-            level = near_zero(FINEST * i / float(count)) * lead[LeadWork.LIMITS, stage]
+            level = near_zero(float(i)) * lead[LeadWork.LIMITS, stage]
         time = follow_level(order, level, least, limits, lead, timing, coefficients)
         if time < least:
             least = time
@@ -112,20 +115,18 @@ def improve_level(
     useless = 0
     for i in range(STEPS):
         around = lead[LeadWork.BEST, Lead.LEVEL]
-        worst = 0.0
         for side in range(2):
             level = min(max(around + step * (1 - 2 * side), -bound), bound)
             time = try_level(order, level, least, limits, lead, timing, coefficients)
-            worst = max(worst, time)
             if time < (1.0 - GAINED) * least:
                 least = time
                 lead[LeadWork.BEST, Lead.LEVEL] = level
+        useless = useless + 1
         if lead[LeadWork.BEST, Lead.LEVEL] == around:
             step = FINER * step
-            useless = useless + 1
         else:
             useless = 0
-        if useless == USELESS or worst <= FLAT * least:
+        if useless == USELESS:
             break
 
 
@@ -139,16 +140,15 @@ def search_levels(
     """`search_stages`, but over levels; shorter leads alone are kept."""
     steep = 1.0
     found = NEVER
-    highest = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
     for i in range(STEEPEST):
         set_limits(steep, lead)
         before = lead[LeadWork.BEST, Lead.TIME]
-        # with limits above the snap other levels are best where derivatives may be larger
-        if found >= NEVER or (i == 1 and highest > 4):
+        # where times jump, other levels may be best with steeper rises
+        if found >= NEVER or (i == 1 and jumps_often(lead)):
             found = search_grid(order, limits, lead, timing, coefficients)
-            if found < NEVER:
+            if found < NEVER and jumps_often(lead):
                 improve_level(order, found, limits, lead, timing, coefficients)
         else:
             level = lead[LeadWork.BEST, Lead.LEVEL]

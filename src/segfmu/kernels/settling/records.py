@@ -32,7 +32,6 @@ class Lead(Record):
     COUNT = field("number of its pieces")
     LEVEL = field("level of the best one that goes over a level")
     GAIN = field("a lead is better if it takes less than this share of its time")
-    RAMPS = field("1: profiles behind leads are of ramps alone, in the first part of a search")
 
 
 class LeadTask(Record):

@@ -42,8 +42,11 @@ def soonest_ends(order: int, lead: 'float[:,:]') -> None:
         lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
 
 
-def profile_time(lead: 'float[:,:]') -> float:
-    """Duration [s] of the planner's profile from the row STATE to the target; -1: there is none."""
+def profile_time(ramps: bool, lead: 'float[:,:]') -> float:
+    """Duration [s] of the planner's profile from the row STATE to the target; -1: there is none.
+
+    ramps: of ramps of the acceleration alone, which is found sooner.
+    """
     state = lead[LeadWork.STATE, :]
     target = lead[LeadWork.TARGET, :]
     problem = lead[LeadWork.PROBLEM, :]
@@ -59,7 +62,7 @@ def profile_time(lead: 'float[:,:]') -> float:
     problem[Problem.B] = target[Problem.B]
     problem[Problem.DISTANCE] = target[Problem.DISTANCE] - state[Chain.DERIVATIVES]
     count = -1
-    if lead[LeadWork.BEST, Lead.RAMPS] != 0.0:
+    if ramps:
         count = shortest_ramps(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
     else:
         count = plain_profile(problem, axis, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
@@ -70,12 +73,11 @@ def profile_time(lead: 'float[:,:]') -> float:
 
 def time_anew(order: int, lead: 'float[:,:]') -> None:
     """Let the best lead be followed by the planner's profile, no more by that of ramps alone."""
-    lead[LeadWork.BEST, Lead.RAMPS] = 0.0
     if order == LeadStage.VELOCITY or lead[LeadWork.BEST, Lead.TIME] < 0.0:
         return
     for i in range(Chain.SIZE):
         lead[LeadWork.STATE, i] = lead[LeadWork.REACHED, i]
-    rest = profile_time(lead)
+    rest = profile_time(False, lead)
     if rest >= 0.0:
         time = lead[LeadWork.STATE, Chain.TIME] + rest
         lead[LeadWork.BEST, Lead.TIME] = min(lead[LeadWork.BEST, Lead.TIME], time)
@@ -163,7 +165,7 @@ def try_lead(
     best = lead[LeadWork.BEST, Lead.TIME]
     if best >= 0.0 and time >= best:
         return NEVER
-    rest = profile_time(lead)
+    rest = profile_time(True, lead)
     if rest < 0.0:
         return NEVER
     time = time + rest
