@@ -65,7 +65,7 @@ def test_other_platforms_are_for_zig(monkeypatch) -> None:
     monkeypatch.setattr(compilers, "host", lambda: "x86_64-linux")
     command = compilers.compiler("aarch64-linux").command
     target = ("-m", "ziglang", "cc", "-target", "aarch64-linux-gnu.2.17")
-    assert command[1:] == (*target, "-mllvm", "-inline-threshold=100", "-rtlib=none")
+    assert command[1:] == (*target, "-mllvm", "-inline-threshold=80", "-rtlib=none")
     # there zig's library has what the processor and Microsoft's lack
     assert "-rtlib=none" not in compilers.compiler("x86_64-windows").command
 

@@ -9,13 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
 import sympy as sp
-from sympy.core.exprtools import _keep_coeff
 from sympy.printing.pycode import PythonCodePrinter
-from sympy.simplify.cse_opts import sub_post, sub_pre
 
 from segfmu.crane import flatness, lagrangian
 
@@ -80,32 +77,10 @@ def _named_bases(expression: sp.Expr, names: Iterator[sp.Symbol]) -> tuple[Steps
     return named, rest
 
 
-@cache
-def _factored(expression: sp.Expr) -> sp.Expr:
-    """The same as SymPy's factor_terms, once for each part that expressions share."""
-    if expression.is_Atom:
-        return expression
-    if not (expression.is_Add or expression.is_Mul):
-        parts = [_factored(part) for part in expression.args]
-        return expression if parts == [*expression.args] else expression.func(*parts)
-    content, rest = expression.as_content_primitive(clear=False)
-    parts = [_factored(part) for part in rest.args]
-    if not rest.is_Add:
-        return _keep_coeff(content, rest.func(*parts) if parts else rest, clear=False, sign=True)
-    if all(part.as_coeff_Mul()[0].extract_multiplicatively(-1) is not None for part in parts):
-        content, parts = -content, [-part for part in parts]
-    # the order of the parts is that of gcd_terms
-    terms = sp.gcd_terms(
-        sp.Add._from_args(parts), isprimitive=True, clear=False, fraction=False
-    )
-    return _keep_coeff(content, terms, clear=False, sign=True)
-
-
 def _eliminated(values: Sequence[sp.Expr]) -> tuple[Steps, list[sp.Expr]]:
     """Common subexpressions and, in terms of them, the values."""
     names = sp.numbered_symbols("c")
-    basic = [(sub_pre, sub_post), (_factored, None)]
-    common, results = sp.cse(values, symbols=names, optimizations=basic)
+    common, results = sp.cse(values, symbols=names, optimizations="basic")
     steps: Steps = []
     for symbol, value in common:
         named, rest = _named_bases(value, names)

@@ -48,8 +48,8 @@ _CODE = ("-fPIC", "-fno-asynchronous-unwind-tables", "-fno-unwind-tables")
 _LINK = ("-O3", "-shared", "-s")
 _MACH = (*_LINK, "-Wl,-dead_strip")
 _ELF = (*_LINK, "-Wl,--gc-sections", "-Wl,-z,defs", "-lm")
-# what clang inlines at most; its usual 225 makes binaries larger by 8 %, and hardly faster
-_ZIG = ("-mllvm", "-inline-threshold=100")
+# what clang inlines at most; its usual 225 makes binaries larger by 9 %, and hardly faster
+_ZIG = ("-mllvm", "-inline-threshold=80")
 # zig would compile for each platform what processors lack, of which nothing is used on these
 _WHOLE = (".so", ".dylib")
 PLATFORMS = {

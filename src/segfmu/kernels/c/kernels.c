@@ -27173,10 +27173,6 @@ static double choose_steepness(int64_t order, double within_0001, array_double_1
         (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
         before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
         try_soonest(order, limits, lead, timing, coefficients);
-        if (((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0) && (!is_settled(lead)))
-        {
-            improve_ends(order, within_0001, limits, lead, timing, coefficients);
-        }
         if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) != before)
         {
             chosen = steep;
@@ -27197,19 +27193,32 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
 {
     int64_t i;
     double steep;
+    double before;
     soonest_ends(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
     }
     steep = choose_steepness(order, within_0001, limits, lead, timing, coefficients);
-    if (is_settled(lead) || leads_in(within_0001, lead))
-    {
-        return;
-    }
-    set_limits(steep, lead);
     (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
-    improve_ends(order, within_0001, limits, lead, timing, coefficients);
+    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    {
+        if (is_settled(lead) || leads_in(within_0001, lead))
+        {
+            break;
+        }
+        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        set_limits(steep, lead);
+        improve_ends(order, within_0001, limits, lead, timing, coefficients);
+        if (before >= 0.0)
+        {
+            break;
+        }
+        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
+        {
+            steep = 10.0 * steep;
+        }
+    }
 }
 static double near_zero(double i)
 {

@@ -159,8 +159,7 @@ def choose_steepness(
 ) -> float:
     """The steepness of derivatives that nothing limits with which leads are soon (`set_limits`).
 
-    They are raised until that shortens a lead no more (WORTH_STEEPER). Where the soonest ends give
-    none, all ends are searched for at each of them.
+    They are raised until that shortens a lead no more (WORTH_STEEPER).
     """
     chosen = 1.0
     steep = 1.0
@@ -169,8 +168,6 @@ def choose_steepness(
         lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
         before = lead[LeadWork.BEST, Lead.TIME]
         try_soonest(order, limits, lead, timing, coefficients)
-        if lead[LeadWork.BEST, Lead.TIME] < 0.0 and not is_settled(lead):
-            improve_ends(order, within, limits, lead, timing, coefficients)
         if lead[LeadWork.BEST, Lead.TIME] != before:
             chosen = steep
         elif i > 1:
@@ -194,8 +191,15 @@ def search_stages(
     for i in range(Chain.SIZE):
         lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
     steep = choose_steepness(order, within, limits, lead, timing, coefficients)
-    if is_settled(lead) or leads_in(within, lead):
-        return
-    set_limits(steep, lead)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
-    improve_ends(order, within, limits, lead, timing, coefficients)
+    for i in range(STEEPEST):
+        if is_settled(lead) or leads_in(within, lead):
+            break
+        before = lead[LeadWork.BEST, Lead.TIME]
+        set_limits(steep, lead)
+        improve_ends(order, within, limits, lead, timing, coefficients)
+        if before >= 0.0:
+            break
+        if lead[LeadWork.BEST, Lead.TIME] < 0.0:
+            # steeper rises may permit a lead
+            steep = STEEPER * steep
