@@ -173,7 +173,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
                 fault = f"{variable.name} must be finite, got {value:g}"
         if fault is not None:
             signal = variable.causality == "input"
-            refused = "input refused, check its signal" if signal else "tuning refused"
+            refused = "input refused" if signal else "tuning refused"
             self._refusal = f"{refused}: {fault}"
             self.log(self._refusal, Fmi2Status.error)
         return fault is None

@@ -181,7 +181,7 @@ static bool derivatives_in_range(instance *c, double step)
             const double bent = m->slope[1][k] / 2.0 + m->slope[2][k] / 6.0 * step;
             const double end = m->real[k] + (m->slope[0][k] + bent * step) * step;
             found++;
-            if (!glue_in_range(c, v, 0, end, "derivatives refused: at the end of the step")) {
+            if (!glue_in_range(c, v, 0, end, "derivatives refused, where the step ends")) {
                 return false;
             }
         }

@@ -222,7 +222,7 @@ static bool finite_values(instance *c, const uint32_t references[], const double
 static bool running_in_range(instance *c, const variable *v, const double values[], size_t count)
 {
     const bool tuned = v->setting == SET_TUNABLE || v->setting == SET_COMMAND;
-    const char *refused = tuned ? "tuning refused" : "input refused, check its signal";
+    const char *refused = tuned ? "tuning refused" : "input refused";
     if (!(tuned || v->setting == SET_INPUT) || (c->model->mode & MODE_RUNNING) == 0) {
         return true;
     }
