@@ -137,3 +137,16 @@ def test_exit_codes_and_junit(
     for key, outcome in counted.items():
         assert int(suite.get(key) or 0) == len(suite.findall(f"testcase/{outcome}"))
     assert int(suite.get("tests") or 0) == len(suite)
+
+
+@pytest.mark.parametrize("table, told", [
+    ('[parameters.GantryCrane]\n"drive.bridge.lag" = -0.1', "drive.bridge.lag must be at least 0"),
+    ('[parameters.GantryFeedforward]\n"limits.scale" = 2.0', "limits.scale must be at most 1"),
+    ('[parameters.GantryCrane]\n"drive.mode" = 9', "drive.mode must be at most 2"),
+])
+def test_a_parameter_beyond_its_range_is_no_outcome(
+    runner: Runner, tmp_path: Path, table: str, told: str
+) -> None:
+    """The FMU refused it, and the scenario failed; events and profiles were refused before."""
+    with pytest.raises(InputError, match=rf"s\.toml: Gantry\w+: {told}, got "):
+        done(runner, tmp_path, f"{HEAD}{CRITERION}{table}\n")

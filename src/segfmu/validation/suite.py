@@ -196,8 +196,12 @@ class Runner:
     def _rows(
         self, scenario: Scenario, trajectory: Trajectory, known: Mapping[str, float]
     ) -> Rows:
-        return self._system(scenario, trajectory).run(
-            self._values(scenario, trajectory), stop_time=known["end"],
+        system, end = self._system(scenario, trajectory), known["end"]
+        # an FMU that refuses a value would make this an outcome of the run
+        for own in (scenario.file.parameters, {f.name: f.values for f in scenario.file.fmus}):
+            system.check(own, stop_time=end)
+        return system.run(
+            self._values(scenario, trajectory), stop_time=end,
             changes=self._changes(scenario, known),
         )
 
