@@ -90,6 +90,18 @@ def test_missions_allow_for_an_emergency_stop(crane: str) -> None:
     assert run.passed
 
 
+@pytest.mark.parametrize(("crane", "told"), [
+    ("lab", "31 mm"), ("factory", "0.40 m"), ("port", "1.03 m"),
+])
+def test_how_far_wind_pushes_the_load_is_told(crane: str, told: str) -> None:
+    """The mission's tolerance is beside this, the scenario is about what comes after it."""
+    run = segfmu.simulate(FOLDER / crane / "_mission.toml", commands=FOLDER / crane / "wind.csv")
+    away, unit = float(run["error.load.norm"].max()), told.split()[1]
+    assert told == (f"{1e3 * away:.0f} mm" if unit == "mm" else f"{away:.2f} m")
+    assert not run.passed
+    assert told in (FOLDER.parents[1] / "docs" / "operator.md").read_text(encoding="utf-8")
+
+
 def test_values_of_a_profile_may_be_names(runner: Runner, tmp_path: Path) -> None:
     text = (
         f'name = "s"\nmission = "{(FOLDER / "lab" / "_mission.toml").as_posix()}"\n'
