@@ -14,6 +14,8 @@ import numpy as np
 import pytest
 
 import segfmu
+from segfmu.crane import Rig
+from segfmu.crane.disturbance import Wind
 from tests.validation.report.test_report import campaign
 
 MISSION = Path(__file__).parents[1] / "models" / "inteco.toml"
@@ -28,7 +30,8 @@ class Table:
 
 NONSENSE = (
     "x", "", "\0", None, [], {}, 10**400, -(10**400), float("nan"), float("inf"), -1, 0, True, 1j,
-    b"1", [1, 2], [1, 2, 3], [1, "a"], [None, None, None], [[1]], np.array(3.0), np.array([]),
+    b"1", [1, 2], [1, 2, 3], [1, "a"], [None, None, None], [[1]], [[1, [2]]], np.array(3.0),
+    np.array([]),
     np.array(["a"]), np.ma.array([1.0, 2.0, 3.0], mask=[1, 0, 0]), np.datetime64("now"), object(),
     Decimal(1), Fraction(1, 2), Path(), range(3), {1, 2}, len, segfmu.Waypoint, Table(),
 )
@@ -82,6 +85,11 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any]]] = {
         segfmu.Obstacle, {"name": "box", "minimum": [0.0, 0.0, 0.0], "maximum": [1.0, 1.0, 1.0]}
     ),
     "Clearance": (segfmu.Clearance, {}),
+    "lower": (LIMITS.lower, {"axes": 3}),
+    "limits_table": (LIMITS.table, {"axes": 3, "smoothness": 4}),
+    **{f"{kind.__name__}.of": (kind.of, {"value": len}) for kind in (
+        segfmu.Crane, segfmu.HookCrane, Rig, Wind,
+    )},
     "Crane": (segfmu.Crane, {"bridge_mass": 2.0, "trolley_mass": 1.0, "payload_mass": 1.0}),
     "FlatInverse": (segfmu.FlatInverse, {"crane": CRANE, "trajectory": PLAN}),
     "ActuatorBounds": (segfmu.ActuatorBounds, {}),
@@ -135,3 +143,16 @@ def test_nonsense_is_one_error(
         except segfmu.SegfmuError as error:
             assert str(error) and "\n" not in str(error), value
             assert len(str(error)) < 400, value
+
+
+@pytest.mark.parametrize("call", [
+    partial(segfmu.plan, POINTS, LIMITS),
+    partial(segfmu.plan_actuated, CRANE, POINTS, LIMITS, BOUNDS),
+    segfmu.load_mission(MISSION).plan, partial(segfmu.build, MISSION),
+    partial(segfmu.simulate, MISSION), partial(segfmu.validate, MISSION),
+    partial(segfmu.campaign, MISSION), partial(segfmu.identify, "log.csv", MISSION),
+    partial(segfmu.live, MISSION),
+])
+def test_progress_is_told_to_a_function(call: Callable[..., Any]) -> None:
+    with pytest.raises(segfmu.InputError, match=r"^progress must be a function, got 'bar'$"):
+        call(progress="bar")

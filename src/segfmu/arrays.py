@@ -180,6 +180,12 @@ def require_mapping(name: str, value: Any) -> None:
         raise InputError(f"{name} must be a mapping from names, got {shown(value)}")
 
 
+def require_callable(name: str, value: Any) -> None:
+    """InputError for what cannot be called."""
+    if not callable(value):
+        raise InputError(f"{name} must be a function, got {shown(value)}")
+
+
 def shown(value: Any) -> str:
     """What a message shows of a value: one line, not long."""
     try:

@@ -254,3 +254,9 @@ def test_gains_of_another_period_or_for_another_controller_are_refused() -> None
     tracking = Plant(CRANE, HANGING, HOLD, TrackingController(observer, feedback))
     with pytest.raises(InputError, match="the TrackingController has"):
         tracking.retune(feedback)
+
+
+@pytest.mark.parametrize(("kernel", "size"), [(None, 1), (len, -1), (len, 10**400), (len, "a")])
+def test_only_a_kernel_tells_of_so_many_numbers(kernel: Any, size: Any) -> None:
+    with pytest.raises(InputError, match=r"^(kernel must be a function|size must be )"):
+        plant().told(kernel, size)

@@ -11,7 +11,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import as_flag, as_names, as_tuple, require_mapping, shown
+from segfmu.arrays import as_flag, as_names, as_tuple, require_callable, require_mapping, shown
 from segfmu.cosim import native
 from segfmu.cosim.change import Change, due
 from segfmu.cosim.connection import Link, by_name, checked
@@ -176,6 +176,7 @@ class System:
         SimulationError
             If an FMU reports an error, with its message; the system can run again.
         """
+        require_callable("progress", progress)
         values = {} if values is None else values
         self._require_units(values)
         changes = as_tuple("changes", changes)

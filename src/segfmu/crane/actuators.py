@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, require_callable
 from segfmu.crane.bounds import ActuatorBounds, BoundUse, require_bounds, uses
 from segfmu.crane.checks import require_kind
 from segfmu.crane.contacts import NONE, resistance
@@ -120,6 +120,7 @@ def plan_actuated(
         If no plan keeps limits and bounds. It names the bound, the value needed, and the time or
         the waypoint.
     """
+    require_callable("progress", progress)
     require_bounds("bounds", bounds)
     if not isinstance(clearance, Clearance | None):
         raise InputError(f"clearance must be a segfmu.Clearance, got {type(clearance).__name__}")

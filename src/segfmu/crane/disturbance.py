@@ -16,7 +16,7 @@ from segfmu.crane.checks import (
     require_positive,
     require_seed,
 )
-from segfmu.crane.variables import Value, fed, kept, require_values, values
+from segfmu.crane.variables import Value, fed, kept, of_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Plant
@@ -185,9 +185,9 @@ class Wind:
         )
 
     @classmethod
+    @of_values
     def of(cls, value: Value) -> Wind:
         """From the FMU's variables; `value` gives them by name."""
-        require_values(value)
         gust = kept(Gust, GUST, value) if float(value(DURATION)) > 0.0 else None
         turbulence: Turbulence | None = kept(Turbulence, TURBULENCE, value)
         if turbulence is not None and not any(turbulence.deviation):

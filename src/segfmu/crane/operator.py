@@ -8,7 +8,7 @@ from copy import deepcopy
 import numpy as np
 from numpy.typing import ArrayLike
 
-from segfmu.arrays import FloatArray, finite_number, shown
+from segfmu.arrays import FloatArray, finite_number, numbers, shown
 from segfmu.crane.bounds import ActuatorBounds
 from segfmu.crane.contacts import NONE
 from segfmu.crane.equipment import Friction
@@ -149,7 +149,7 @@ class Operator:
 
     def _begin(self, start: ArrayLike | Trajectory, smoothness: int) -> None:
         """Begin with the plan; or at rest, where a stop shows whether that is allowed."""
-        if not isinstance(start, Trajectory) and np.size(start) == State.SIZE:
+        if not isinstance(start, Trajectory) and numbers("start", start).size == State.SIZE:
             backend.begin_operation(0.0, self._motion.record)
             self._motion.command[Command.MODE] = OperationMode.STOP
             self._take_over("start", start)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, as_flag, finite_vector, sized
 from segfmu.crane.checks import require_positive, require_quantity
-from segfmu.crane.variables import Value, build, fed, require_values, values
+from segfmu.crane.variables import Value, build, fed, of_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DriveMode, Masses, Plant, RopeBounds
@@ -109,9 +109,9 @@ class Crane:
         return values(self, CRANE)
 
     @classmethod
+    @of_values
     def of(cls, value: Value) -> Crane:
         """The crane that variables of an FMU describe; `value` gives them by name."""
-        require_values(value)
         return build(cls, CRANE, value)
 
     def rhs(

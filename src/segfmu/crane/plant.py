@@ -13,7 +13,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import FloatArray, as_flag, as_index, sized, table_of
+from segfmu.arrays import FloatArray, as_flag, as_index, require_callable, sized, table_of
 from segfmu.crane.checks import (
     require_finite,
     require_kind,
@@ -278,7 +278,8 @@ class Plant:
 
     def told(self, kernel: Callable[[FloatArray, FloatArray], None], size: int) -> FloatArray:
         """What a kernel of a model writes of the rig's memory, shape (size,)."""
-        found = np.zeros(as_index("size", size))
+        require_callable("kernel", kernel)
+        found = np.zeros(as_index("size", size, self._memory.size))
         kernel(self._memory, found)
         return found
 

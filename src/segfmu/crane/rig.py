@@ -13,7 +13,7 @@ from segfmu.crane.equipment import DRIVE, FRICTION, TRAVEL, Drive, Friction, Tra
 from segfmu.crane.flat_models import model_of
 from segfmu.crane.kinds import AnyCrane
 from segfmu.crane.sensors import SENSORS, Sensors
-from segfmu.crane.variables import Value, build, filled, kept, require_values, values
+from segfmu.crane.variables import Value, build, filled, kept, of_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import DRIVES, DriveMode, Plant
@@ -88,6 +88,7 @@ class Rig:
         return plant_record(crane, found.__getitem__)
 
     @classmethod
+    @of_values
     def of(cls, value: Value) -> Rig:
         """The rig that variables of the FMU describe; `value` gives them by name.
 
@@ -96,7 +97,6 @@ class Rig:
         InputError
             For values that do not fit together.
         """
-        require_values(value)
         bridge, trolley, hoist = (kept(Drive, mapping, value) for mapping in DRIVE)
         return cls(
             bridge, trolley, hoist, kept(Friction, FRICTION, value),

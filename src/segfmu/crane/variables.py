@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import partial, wraps
 from typing import Any, TypeVar
 
 import numpy as np
@@ -96,13 +96,27 @@ def filled(record: type[Record], value: Value) -> FloatArray:
     return array
 
 
-def require_values(value: Value) -> None:
-    """InputError for what gives no values by names."""
-    if not callable(value):
-        raise InputError(
-            f"value must be a function of a variable's name, got {shown(value)}; of a dict d give "
-            "d.__getitem__"
-        )
+def of_values(make: Callable[[type[T], Value], T]) -> Callable[[type[T], Value], T]:
+    """A class method `of` that refuses, with an InputError, what gives no numbers by names."""
+
+    @wraps(make)
+    def of(kind: type[T], value: Value) -> T:
+        if not callable(value):
+            raise InputError(
+                f"value must be a function of a variable's name, got {shown(value)}; of a dict d "
+                "give d.__getitem__"
+            )
+        try:
+            return make(kind, value)
+        except InputError:
+            raise
+        except (TypeError, ValueError, OverflowError, LookupError) as error:
+            raise InputError(
+                "value must give a number for the name of every variable, got "
+                f"{type(error).__name__}: {error}"
+            ) from None
+
+    return of
 
 
 def build(kind: Callable[..., T], mapping: Mapping[str, Fed], value: Value) -> T:

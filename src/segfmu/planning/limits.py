@@ -29,6 +29,8 @@ NAMES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 LOWER = ("velocity_min", "acceleration_min")
 _upper: Callable[[object], tuple[FloatArray, ...]] = attrgetter(*NAMES)
 UNITS = ("m/s", "m/s2", "m/s3", "m/s4", "m/s5", "m/s6")
+# more than any machine has, so few that tables have room
+MOST_AXES = 1_000_000
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -148,7 +150,7 @@ class Limits(Frozen):
         """
         tables = self._kept()
         if not (type(axes) is int and axes in tables):
-            axes = as_index("axes", axes)
+            axes = as_index("axes", axes, MOST_AXES)
             tables[axes] = self._lower_table(axes)
         return tables[axes]
 
@@ -178,7 +180,7 @@ class Limits(Frozen):
         tables = self._kept()
         size = axes, smoothness
         if not (type(axes) is int and type(smoothness) is int and size in tables):
-            size = as_index("axes", axes), as_index("smoothness", smoothness, len(NAMES))
+            size = as_index("axes", axes, MOST_AXES), as_index("smoothness", smoothness, len(NAMES))
             tables[size] = self._table(*size)
         return tables[size]
 

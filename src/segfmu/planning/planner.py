@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
-from segfmu.arrays import FloatArray, Range, finite_number, shown
+from segfmu.arrays import FloatArray, Range, finite_number, require_callable, shown
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, at_rest, choose_states
@@ -82,6 +82,8 @@ def plan(
     InfeasibleError
         If no plan keeps the limits; names axis, waypoint interval and limit.
     """
+    if progress is not None:
+        require_callable("progress", progress)
     request = checked_request(
         waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )

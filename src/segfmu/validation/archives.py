@@ -10,7 +10,7 @@ from functools import partial
 from html import escape
 from pathlib import Path
 
-from segfmu.arrays import as_flag, as_index, shown
+from segfmu.arrays import as_flag, as_index, require_callable, shown
 from segfmu.errors import InputError
 from segfmu.fmu.build import build_all, describe, left_over
 from segfmu.fmu.choice import Choice, chosen, require_native
@@ -136,6 +136,7 @@ def build(
     >>> archives.crane.name
     'GantryCrane.fmu'
     """
+    require_callable("progress", progress)
     if not isinstance(platforms, str | None):
         raise InputError(f"platforms must be all, or names with commas, got {shown(platforms)}")
     if platforms is not None and not platforms.strip(", "):

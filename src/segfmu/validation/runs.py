@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from segfmu.arrays import FloatArray, finite_number, shown
+from segfmu.arrays import FloatArray, finite_number, require_callable, shown
 from segfmu.cosim import write_csv
 from segfmu.crane import ActuatorBounds
 from segfmu.errors import InputError
@@ -229,6 +229,7 @@ def simulate(
     >>> run.report("report.html").name
     'report.html'
     """
+    require_callable("progress", progress)
     if step is not None:
         step = finite_number("step", step)
         if not LEAST_STEP <= step <= MOST_STEP:

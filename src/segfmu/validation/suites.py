@@ -9,7 +9,7 @@ from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from segfmu.arrays import as_tuple, shown
+from segfmu.arrays import as_tuple, require_callable, shown
 from segfmu.errors import InputError
 from segfmu.validation.files.scenario_file import Scenario, find, load_scenario
 from segfmu.validation.frames import frame
@@ -125,6 +125,7 @@ def validate(scenarios: Scenarios, *, progress: Progress = quiet) -> Suite:
     >>> suite
     <Suite: 1 of 1 scenarios as expected>
     """
+    require_callable("progress", progress)
     single = isinstance(scenarios, str | Path | Scenario)
     given: tuple[Any, ...] = (scenarios,) if single else as_tuple("scenarios", scenarios)
     for entry in given:

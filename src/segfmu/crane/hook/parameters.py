@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from segfmu.arrays import FloatArray, sized
 from segfmu.crane.checks import require_positive, require_quantity
 from segfmu.crane.parameters import CRANE, Crane
-from segfmu.crane.variables import Value, build, fed, values
+from segfmu.crane.variables import Value, build, fed, of_values, values
 from segfmu.errors import InputError
 from segfmu.kernels import backend
 from segfmu.kernels.hook.records import (
@@ -132,6 +132,7 @@ class HookCrane:
         return values(self.crane, CRANE) | values(self, HOOK)
 
     @classmethod
+    @of_values
     def of(cls, value: Value) -> HookCrane:
         """The crane that variables of an FMU describe; `value` gives them by name."""
         return cls(Crane.of(value), **build(dict, HOOK, value))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from multiprocessing import current_process
 from pathlib import Path
 
-from segfmu.arrays import as_index, shown
+from segfmu.arrays import as_index, require_callable, shown
 from segfmu.errors import InputError
 from segfmu.validation.campaigns.campaign import Campaign, load_campaign
 from segfmu.validation.campaigns.names import require_names
@@ -60,6 +60,7 @@ def campaign(
     >>> found  # doctest: +SKIP
     <CampaignResult 'small': 4 of 4 runs passed>
     """
+    require_callable("progress", progress)
     require_packages()
     _require_guard()
     if not isinstance(scheduler, str | None):

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field, PrivateAttr, ValidationError, model_validator
 
+from segfmu.arrays import require_callable
 from segfmu.crane import (
     ActuatorBounds,
     Friction,
@@ -220,6 +221,7 @@ class Mission(Table):
 
         `progress` is called with the share of a search for limits that is done, from 0 to 1.
         """
+        require_callable("progress", progress)
         points = self.build_waypoints()
         options: dict[str, Any] = {
             "smoothness": self.smoothness, "shape": self.shape,

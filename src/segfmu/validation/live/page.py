@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.arrays import FloatArray
+from segfmu.arrays import FloatArray, require_callable
 from segfmu.cosim.result import replacing
 from segfmu.planning import Trajectory
 from segfmu.validation.files.crane_models import require_gantry
@@ -69,6 +69,7 @@ def live(
     BuildError
         Where neither packaged WebAssembly nor a compiler for it is there.
     """
+    require_callable("progress", progress)
     target = file_path(path)
     require_file(target)
     task = load_mission(mission)
