@@ -39,9 +39,9 @@ def ranges(found: Trajectory) -> np.ndarray:
     return np.array([np.concatenate(found.extrema(order)) for order in (1, 2)])
 
 
-@pytest.mark.parametrize("axes", [-1, "a", None, 1.5, True, [1]])
+@pytest.mark.parametrize("axes", [-1, 10**400, "a", None, 1.5, True, [1]])
 def test_lower_limits_of_no_number_of_axes_are_refused(axes: Any) -> None:
-    with pytest.raises(InputError, match=r"^axes must be (an integer|at least 0), got "):
+    with pytest.raises(InputError, match=r"^axes must be (an integer|from 0 to 1000000), got "):
         HOIST.lower(axes)
 
 
