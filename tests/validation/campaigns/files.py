@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -93,16 +92,6 @@ def write(folder: Path, campaign: str = CAMPAIGN, scenario: str = SCENARIO) -> P
 def command(*words: str | Path) -> list[str]:
     """The command `segfmu campaign` as a process."""
     return [sys.executable, "-m", "segfmu", "campaign", *map(str, words)]
-
-
-def process(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:
-    """Run `segfmu campaign` as a process; it ends with this exit code."""
-    done = subprocess.run(
-        command(*words), capture_output=True, text=True, timeout=300,
-        env={**os.environ, "COLUMNS": "200"},
-    )
-    assert done.returncode == code, done.stdout + done.stderr
-    return done
 
 
 def called(*words: str | Path, code: int = 0) -> subprocess.CompletedProcess[str]:

@@ -22,7 +22,7 @@ import pytest
 import segfmu
 from segfmu import cli
 from segfmu.errors import InputError
-from segfmu.validation.campaigns import worker
+from segfmu.validation.campaigns import cluster, worker
 from segfmu.validation.campaigns.campaign import Run, load_campaign
 from segfmu.validation.campaigns.replay import write_run
 from segfmu.validation.campaigns.result import CampaignResult, load_result
@@ -39,7 +39,6 @@ from tests.validation.campaigns.files import (
     called,
     command,
     completed,
-    process,
     run,
     threaded,
     write,
@@ -219,7 +218,9 @@ def test_a_killed_campaign_goes_on_where_it_was(
     runs = whole.table.num_rows
     path, out = write(tmp_path, text), tmp_path / "out"
     action = KILLED.format(count=runs // 3)
-    with driven(driver(tmp_path, action, path, "-o", out, "--jobs", "2")) as first:
+    # workers that are processes are in other tests
+    words = driver(tmp_path, action, path, "-o", out, "--jobs", "2", threads=True)
+    with driven(words) as first:
         said = first.communicate(timeout=300)
     assert first.returncode == -signal.SIGKILL, said
     before = {p: p.read_bytes() for p in (out / "parts").glob("*.parquet")}
@@ -277,12 +278,23 @@ def test_a_worker_that_is_killed_loses_nothing(
     assert workers[0].wait() == -signal.SIGKILL and workers[1].poll() is None
 
 
-def test_no_scheduler_is_one_line(whole: CampaignResult, tmp_path: Path) -> None:
-    for called_as, address in ((process, "tcp://127.0.0.1:1"), (run, "nonsense")):
-        done = called_as(
-            write(tmp_path), "-o", tmp_path / "out", "--scheduler", address, code=2
-        )
-        assert done.stderr.count("\n") == 1 and f"--scheduler {address}" in done.stderr
+def test_no_scheduler_is_one_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a process: the packages below may write too. None that is there answers within 0.5 s."""
+    monkeypatch.setattr(cluster, "ANSWER", 0.5)
+    code = (
+        "from segfmu.validation.campaigns import cluster; cluster.ANSWER = 0.5\n"
+        "from segfmu.cli.app import main; main()"
+    )
+    words = ["campaign", str(write(tmp_path)), "-o", str(tmp_path / "out"), "--scheduler"]
+    address = "tcp://127.0.0.1:1"
+    with driven([sys.executable, "-c", code, *words, address]) as first:
+        _, told = first.communicate(timeout=300)
+    assert first.returncode == 2
+    assert told.count("\n") == 1 and f"--scheduler {address}" in told
+    done = called(*words, "nonsense", code=2)
+    assert done.stderr.count("\n") == 1 and "--scheduler nonsense" in done.stderr
 
 
 # runs that fail beside those that do not
