@@ -20687,15 +20687,15 @@ static int64_t arc_root(int64_t* result_0, double* result_1, int64_t arc, int64_
     int64_t j;
     double middle;
     double error;
-    place = 4.0 * sample / INT64_C(48);
+    place = 4.0 * sample / INT64_C(24);
     scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
     known = duration >= 0.0;
-    for (i = sample + INT64_C(1); i < INT64_C(48) + INT64_C(1); i += INT64_C(1))
+    for (i = sample + INT64_C(1); i < INT64_C(24) + INT64_C(1); i += INT64_C(1))
     {
         before = place;
         e_before = e_place;
         was_known = known;
-        place = 4.0 * i / INT64_C(48);
+        place = 4.0 * i / INT64_C(24);
         scanned_excess(&duration, &e_place, arc, place, missing, largest, family, axis);
         known = duration >= 0.0;
         if ((!known) && (!was_known))
@@ -20778,7 +20778,7 @@ static int64_t loop_form(int64_t last, int64_t count, double longest, array_doub
             break;
         }
         sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        while((sample >= INT64_C(0)) && (sample < INT64_C(24)))
         {
             arc_root(&sample, &duration, arc, sample, missing, given, family, axis);
             if ((sample >= INT64_C(0)) && (duration < longest))
@@ -20813,7 +20813,7 @@ static void timed_loop(array_double_1d problem, array_double_1d axis, array_doub
     for (arc = INT64_C(0); arc < INT64_C(5) + INT64_C(1); arc += INT64_C(1))
     {
         sample = INT64_C(0);
-        while((sample >= INT64_C(0)) && (sample < INT64_C(48)))
+        while((sample >= INT64_C(0)) && (sample < INT64_C(24)))
         {
             arc_root(&sample, &duration, arc, sample, missing, target, family, axis);
             if (sample >= INT64_C(0))
@@ -29936,7 +29936,7 @@ static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t l
     {
         total = total + (*cspan_at(&timing, i, INT64_C(1)));
     }
-    same = 1e-15 * total;
+    same = 2e-16 * (last - a) * total;
     t = now;
     t_a = 0.0;
     t_b = 0.0;
@@ -32744,6 +32744,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     array_double_3d tried;
     array_double_3d best;
     bool smoothstep;
+    int64_t offered;
     int64_t first;
     double theta;
     int64_t fewest;
@@ -32762,6 +32763,11 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     best = span_layers(&choice, begin, end);
     smoothstep = (int64_t)((*cspan_at(&work, INT64_C(0), INT64_C(1)))) == INT64_C(0);
     write_scales_of(smoothstep, given, path, axes, spots, links, spans);
+    offered = INT64_C(2);
+    if (is_moving(given))
+    {
+        offered = INT64_C(0);
+    }
     first = INT64_C(0);
     if ((*cspan_at(&path, INT64_C(10))) != 0.0)
     {
@@ -32792,6 +32798,10 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
         if (!may_beat(span_min((*cspan_at(&path, INT64_C(13))), (*cspan_at(&path, INT64_C(14)))), place, (*cspan_at(&path, INT64_C(11)))))
         {
             return 0;
+        }
+        if (place < offered)
+        {
+            continue;
         }
         write_tried(given, path, axes, spots, tried);
         slow = offer_states(tried, best, path, links, spans, axes, cells, timing, coefficients, work);
@@ -33096,7 +33106,7 @@ static double polish_states(array_double_3d states, array_double_1d path, array_
         (*cspan_at(&axes, axis, INT64_C(12))) = INT64_C(1);
     }
     (*cspan_at(&path, INT64_C(16))) = 0.03;
-    for (sweep = INT64_C(0); sweep < INT64_C(4); sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < INT64_C(3); sweep += INT64_C(1))
     {
         backwards = runs_backwards(spans);
         for (k = INT64_C(1); k < last; k += INT64_C(1))
@@ -33590,11 +33600,10 @@ static void searched_states(array_double_3d choice, array_double_2d tools, array
     copy_states(given, span_layers(&choice, begin, end));
     (*cspan_at(&path, INT64_C(12))) = 1e+300;
     (*cspan_at(&path, INT64_C(13))) = plan_lengths(given, spans, axes, cells, work);
-    (*cspan_at(&path, INT64_C(9))) = 10.0;
+    (*cspan_at(&path, INT64_C(9))) = 3.0;
     attempts = INT64_C(1);
     if (is_moving(given))
     {
-        (*cspan_at(&path, INT64_C(9))) = 3.0;
         attempts = INT64_C(2);
     }
     for (attempt = INT64_C(0); attempt < attempts; attempt += INT64_C(1))

@@ -27,9 +27,8 @@ from segfmu.kernels.passage.search import (
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
-# by how much the duration at which a path begins exceeds the shortest one: between rests, and in
-# two attempts where given states move
-USUAL_START = 10.0
+# by how much the duration at which a path begins exceeds the shortest one; and in a second attempt
+# where given states move
 NEAR_START = 3.0
 FAR_START = 100.0
 
@@ -285,10 +284,9 @@ def searched_states(
     path[Path.LOOSEST] = NEVER
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
-    path[Path.START] = USUAL_START
+    path[Path.START] = NEAR_START
     attempts = 1
     if is_moving(given):
-        path[Path.START] = NEAR_START
         attempts = 2
     for attempt in range(attempts):
         search_states(

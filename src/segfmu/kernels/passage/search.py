@@ -216,7 +216,7 @@ def try_path(
 ) -> bool:
     """Offer the states on a path; writes the intervals in which the best of them are slow.
 
-    Of a path that follows another one, the last point alone. False if the path has none, or none
+    Between rests the last point alone, which is the shortest. False if the path has none, or none
     that can be faster.
     """
     path = tools[Tools.PATH, :]
@@ -230,6 +230,9 @@ def try_path(
     best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
+    offered = LAST_POINT
+    if is_moving(given):
+        offered = 0
     first = 0
     if path[Path.FOLLOWED] != 0.0:
         first = LAST_POINT
@@ -250,6 +253,8 @@ def try_path(
         path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
         if not may_beat(min(path[Path.BEST], path[Path.KNOWN]), place, path[Path.TOTAL]):
             return False
+        if place < offered:
+            continue
         write_tried(given, path, axes, spots, tried)
         slow = offer_states(
             tried, best, path, links, spans, axes, cells, timing, coefficients, work

@@ -19,7 +19,7 @@ NEAR = 0.02
 LEAST_ERROR = 1e-15
 CARRIED = 2e-13
 # places of an arc that are looked at, and halvings to where its members begin
-SAMPLES = 48
+SAMPLES = 24
 EDGES = 12
 
 

@@ -4,6 +4,7 @@ If two profiles are averaged, their pieces are cut at the switching times of bot
 their weights.
 """
 
+from segfmu.kernels.numerics.numbers import LAST_DIGIT
 from segfmu.kernels.planner.nested import ramp_pieces
 from segfmu.kernels.planner.records import Cell, Interval, Place, Problem, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -54,9 +55,9 @@ def merge_pieces(
     total = 0.0
     for i in range(a, middle):
         total = total + timing[i, Timing.LENGTH]
-    # what only rounding tells apart is one switching time: so much of a piece of nanoseconds is a
-    # jump of its highest derivative
-    same = 1e-15 * total
+    # what only the rounding of all lengths tells apart is one switching time: so much of a piece of
+    # nanoseconds is a jump of its highest derivative
+    same = LAST_DIGIT * (last - a) * total
     t = now
     t_a = 0.0
     t_b = 0.0
