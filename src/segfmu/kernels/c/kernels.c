@@ -32749,6 +32749,8 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
     double theta;
     int64_t fewest;
     int64_t place;
+    bool hopeful;
+    bool last;
     int64_t slow;
     int64_t j;
     bool result;
@@ -32795,7 +32797,9 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
             break;
         }
         (*cspan_at(&path, INT64_C(11))) = path_total(INT64_C(0), spans);
-        if (!may_beat(span_min((*cspan_at(&path, INT64_C(13))), (*cspan_at(&path, INT64_C(14)))), place, (*cspan_at(&path, INT64_C(11)))))
+        hopeful = may_beat(span_min((*cspan_at(&path, INT64_C(13))), (*cspan_at(&path, INT64_C(14)))), place, (*cspan_at(&path, INT64_C(11))));
+        last = (place == INT64_C(2)) && may_beat((*cspan_at(&path, INT64_C(14))), place, (*cspan_at(&path, INT64_C(11))));
+        if (!(hopeful || last))
         {
             return 0;
         }
@@ -32812,6 +32816,10 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
             {
                 (*cspan_at(&spans, j, INT64_C(8))) = (*cspan_at(&spans, j, INT64_C(9)));
             }
+        }
+        if (!hopeful)
+        {
+            return 0;
         }
     }
     result = fewest <= spans.shape[INT64_C(0)];

@@ -217,7 +217,7 @@ def try_path(
     """Offer the states on a path; writes the intervals in which the best of them are slow.
 
     Between rests the last point alone, which is the shortest. False if the path has none, or none
-    that can be faster.
+    that can be faster; the last one is offered all the same, as a ramp can be shorter than a cell.
     """
     path = tools[Tools.PATH, :]
     grid = tools[Tools.GRID:Tools.SQUARE, :]
@@ -251,7 +251,9 @@ def try_path(
         if theta < 0.0:
             break
         path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
-        if not may_beat(min(path[Path.BEST], path[Path.KNOWN]), place, path[Path.TOTAL]):
+        hopeful = may_beat(min(path[Path.BEST], path[Path.KNOWN]), place, path[Path.TOTAL])
+        last = place == LAST_POINT and may_beat(path[Path.KNOWN], place, path[Path.TOTAL])
+        if not (hopeful or last):
             return False
         if place < offered:
             continue
@@ -263,6 +265,8 @@ def try_path(
             fewest = slow
             for j in range(spans.shape[0]):
                 spans[j, Stretch.SLOW] = spans[j, Stretch.TRIED_SLOW]
+        if not hopeful:
+            return False
     return fewest <= spans.shape[0]
 
 
