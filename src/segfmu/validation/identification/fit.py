@@ -19,6 +19,7 @@ from segfmu.validation.identification.log import Log
 from segfmu.validation.identification.model import Model
 from segfmu.validation.identification.noise import dependence, noise_of, rough_noise
 from segfmu.validation.identification.slopes import Slopes
+from segfmu.validation.identification.thinned import thinned
 from segfmu.validation.identification.unknowns import Unknowns
 
 CONFIDENCE = 0.95
@@ -42,10 +43,16 @@ MOST_STEPS = 60
 
 
 class Problem:
-    """Fits unknowns to logs; all of its work is in units of their scales."""
+    """Fits unknowns to logs; all of its work is in units of their scales.
 
-    def __init__(self, model: Model, logs: Sequence[Log], unknowns: Unknowns) -> None:
+    period: of the pendulum [s]; the search finds its way by logs with no more rows than it needs.
+    """
+
+    def __init__(
+        self, model: Model, logs: Sequence[Log], unknowns: Unknowns, period: float
+    ) -> None:
         self._model, self._logs, self._unknowns = model, logs, unknowns
+        self._few = [thinned(log, period) for log in logs]
         self._free = list(range(unknowns.size))
         self._noise = [rough_noise(log) for log in logs]
         self._directions: list[Direction] = []
@@ -66,13 +73,16 @@ class Problem:
         InputError
             If the crane of the file cannot do what the log has.
         """
-        point, kept = self._settled(self._better(self._grown(progress), begin)), set[int]()
+        point, kept = self._better(self._grown(progress), begin), set[int]()
+        if self._few != self._logs:
+            point = self._settled(point, self._few)
+        point = self._settled(point, self._logs)
         while (direction := self._untold(point, kept)) is not None:
             without = self._without(point, direction)
             if without is None:
                 kept.add(direction.held)
             else:
-                point = self._settled(without)
+                point = self._settled(without, self._logs)
         return self._result(point)
 
     def _without(self, point: FloatArray, direction: Direction) -> FloatArray | None:
@@ -112,13 +122,14 @@ class Problem:
 
     def begin(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
         """A first fit of all unknowns; raises as `fit`."""
-        return self._solved(self._grown(progress), self._logs, TOLERANCE)
+        return self._solved(self._grown(progress), self._few, TOLERANCE)
 
     def _better(self, one: FloatArray, other: FloatArray | None) -> FloatArray:
         """Of the valleys of two points the deeper one."""
-        if other is None or not self._possible(other, 1.0):
-            return one
-        found = [self._solved(point, self._logs, TOLERANCE) for point in (one, other)]
+        points = [one]
+        if other is not None and self._possible(other, 1.0):
+            points.append(other)
+        found = [self._solved(point, self._few, TOLERANCE) for point in points]
         return min(found, key=self._cost)
 
     def _grown(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
@@ -143,24 +154,23 @@ class Problem:
         return bool(np.isfinite(self._residuals(point, self._parts(share))).all())
 
     def _parts(self, share: float) -> list[Log]:
-        return [log.rows(0, max(3, round(share * log.times.size))) for log in self._logs]
+        return [log.rows(0, max(3, round(share * log.times.size))) for log in self._few]
 
-    def _settled(self, point: FloatArray) -> FloatArray:
+    def _settled(self, point: FloatArray, logs: Sequence[Log]) -> FloatArray:
         """Fit with the noise that the residuals themselves have."""
         for _ in range(MOST_FITS):
-            point = self._solved(point, self._logs, TOLERANCE)
-            before, self._noise = np.array(self._noise), self._residual_noise(point)
+            point = self._solved(point, logs, TOLERANCE)
+            before, self._noise = np.array(self._noise), self._residual_noise(point, logs)
             if np.nanmax(np.abs(np.array(self._noise) / before - 1.0)) < SETTLED:
                 break
         return point
 
-    def _residual_noise(self, point: FloatArray) -> list[FloatArray]:
+    def _residual_noise(self, point: FloatArray, logs: Sequence[Log]) -> list[FloatArray]:
         # each signal bears its share of the unknowns
-        count = sum(log.times.size * len(log.known) for log in self._logs)
-        left = 1.0 - len(self._free) / count
+        left = 1.0 - len(self._free) / _samples(logs)
         return [
             noise_of(log, self._simulated(point, i, log)) / np.sqrt(left)
-            for i, log in enumerate(self._logs)
+            for i, log in enumerate(logs)
         ]
 
     def _solved(self, point: FloatArray, logs: Sequence[Log], tolerance: float) -> FloatArray:
@@ -173,9 +183,12 @@ class Problem:
             full[free] = values
             return full
 
+        # what noise leaves, so that a search without any does not go on below it
+        left, none = np.sqrt(_samples(logs)), np.zeros((1, len(free)))
         solution = least_squares(
-            lambda z: self._residuals(at(z), logs), np.clip(point[free], low, high),
-            lambda z: self._jacobian(at(z), logs), (low, high),
+            lambda z: np.append(self._residuals(at(z), logs), left),
+            np.clip(point[free], low, high),
+            lambda z: np.concatenate([self._jacobian(at(z), logs), none]), (low, high),
             ftol=tolerance, xtol=tolerance, gtol=None, max_nfev=MOST_STEPS,
         )
         self._converged = solution.status > 0
@@ -251,7 +264,7 @@ class Problem:
         return np.tile(factors, log.times.size)
 
     def _left(self) -> int:
-        return sum(log.times.size * len(log.known) for log in self._logs) - len(self._free)
+        return _samples(self._logs) - len(self._free)
 
     def _result(self, point: FloatArray) -> Fit:
         """Intervals by the covariance of the estimates, with noise whose samples may depend."""
@@ -272,3 +285,6 @@ class Problem:
         )
 
 
+def _samples(logs: Sequence[Log]) -> int:
+    """Their number, of all signals."""
+    return sum(log.times.size * len(log.known) for log in logs)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from segfmu.arrays import FloatArray, as_names, finite_number
+from segfmu.arrays import FloatArray, as_names, finite_number, require_callable
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.identification.arguments import (
@@ -107,6 +107,7 @@ def identify(
     >>> found["friction.sway.viscous"].high  # doctest: +SKIP
     0.0123
     """
+    require_callable("progress", progress)
     held_out, tube = finite_number("held_out", held_out), finite_number("tube", tube)
     if not 0.0 <= held_out <= 0.9:
         raise InputError(f"held_out must be from 0 to 0.9, got {held_out}")
@@ -129,7 +130,7 @@ def identify(
     parts = [part for own in cut for part in own]
     chosen = [quantity(key, file, model.value, sizes) for key in keys]
     unknowns = Unknowns(model, parts, chosen, sizes)
-    found = Problem(model, parts, unknowns).fit(
+    found = Problem(model, parts, unknowns, sizes.period).fit(
         _begin(model, cut, unknowns, sizes, progress), lambda share: progress("fit", share)
     )
     changes = unknowns.changes(found.point, found.free)
@@ -161,7 +162,8 @@ def _begin(
     every = [half for own in halves for half in own]
     short = Unknowns(model, every, unknowns.quantities, sizes)
     try:
-        point = Problem(model, every, short).begin(lambda share: progress("first fit", share))
+        problem = Problem(model, every, short, sizes.period)
+        point = problem.begin(lambda share: progress("first fit", share))
     except InputError:
         return None
     firsts = np.cumsum([0, *map(len, halves[:-1])])
@@ -197,7 +199,7 @@ class _Followed:
         last = log.times[0] + PERIODS * sizes.period
         first = log.rows(0, max(int(np.searchsorted(log.times, last)), FEWEST))
         unknowns = Unknowns(self.model, [first], (), sizes)
-        found = Problem(self.model, [first], unknowns).fit()
+        found = Problem(self.model, [first], unknowns, sizes.period).fit()
         return self._compared(log, self.model.run(log, {}, unknowns.start(found.point, 0)))
 
     def _compared(self, log: Log, simulated: FloatArray) -> Prediction:
