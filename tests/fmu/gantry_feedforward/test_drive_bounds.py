@@ -14,6 +14,7 @@ import segfmu
 from segfmu.cosim.load import load
 from segfmu.errors import SimulationError
 from segfmu.kernels.crane.records import BOUNDED
+from tests.campaign import soaked_rows
 from tests.fmu.native.importer import Importer
 
 # in the order of `demands`; end stops have tests of their own
@@ -191,8 +192,9 @@ def lag_values(lag: float) -> dict[str, float]:
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("lag", [0.0, 0.5])
-@pytest.mark.parametrize("crane", CRANES)
+@pytest.mark.parametrize(("crane", "lag"), [
+    ("lab", 0.5), ("ship to shore", 0.0), *soaked_rows(("lab", 0.0), ("ship to shore", 0.5)),
+])
 def test_whatever_is_changed_bounds_are_kept_or_named(native_fmus, crane, lag) -> None:
     count = 500 if os.environ.get("SEGFMU_SOAK") else 25
     rng = np.random.default_rng(3)

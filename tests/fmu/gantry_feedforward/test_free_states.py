@@ -90,7 +90,8 @@ def uses(trajectory: segfmu.Trajectory, masses, bounds: np.ndarray) -> float:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("size", "share"), [
-    ("lab", 0.6), ("ship to shore", 1.0), *soaked_rows(("lab", 1.0), ("ship to shore", 0.6)),
+    ("lab", 0.6),
+    *soaked_rows(("lab", 1.0), ("ship to shore", 0.6), ("ship to shore", 1.0)),
 ])
 def test_the_plan_is_that_of_the_package(native_fmus, size: str, share: float) -> None:
     rng = np.random.default_rng(6)
