@@ -92,7 +92,7 @@ def test_a_third_crane_is_planned_simulated_and_read_from_files(package: Path) -
     )
     assert done.returncode == 0, done.stderr
     heavy = segfmu.Crane(2.2, 1.155, 1.5, rope_min=0.2, rope_max=1.5)
-    along = [segfmu.Waypoint([x, 0.0, -0.9]) for x in (0.0, 0.6)]
+    along = [segfmu.Waypoint([0.0, 0.0, z]) for z in (-0.9, -0.6)]
     bounds = segfmu.ActuatorBounds(force=[4.0, 3.0, 17.0], velocity=0.6)
     found = segfmu.plan_actuated(heavy, along, None, bounds).trajectory.duration
     assert float(done.stdout) == pytest.approx(found, rel=1e-9)

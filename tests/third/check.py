@@ -27,8 +27,8 @@ class Idle:
 def planning() -> None:
     """Setpoints are those of a load of both masses; prints the duration within drives."""
     bounds = segfmu.ActuatorBounds(force=[4.0, 3.0, 17.0], velocity=0.6)
-    # along one axis: interpreted kernels search for six seconds an axis
-    along = [POINTS[0], segfmu.Waypoint([0.6, 0.0, -0.9])]
+    # along the axis that interpreted kernels search soonest, and whose drive holds both masses
+    along = [POINTS[0], segfmu.Waypoint([0.0, 0.0, -0.6])]
     print(segfmu.plan_actuated(OWN, along, None, bounds).trajectory.duration)
     trajectory = segfmu.plan(POINTS, LIMITS)
     times = np.linspace(0.0, trajectory.duration, 101)
