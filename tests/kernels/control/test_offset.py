@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from segfmu.kernels.control.records import (
     OffsetSums,
     Tracking,
 )
-from tests.campaign import soaked
+from tests.campaign import campaign, soaked, soaked_rows
 from tests.crane.newton import accelerations
 
 T, GRAVITY, LENGTH = 0.01, 9.81, 0.8
@@ -108,8 +109,14 @@ def measured(states: np.ndarray, offset: float = 0.0, noise: float = 0.0) -> np.
     return signals
 
 
-@pytest.mark.parametrize("payload", [0.5, 1.0])
-@pytest.mark.parametrize("offset", [-0.08, 0.02, 0.08, *soaked(-0.04, 0.04)])
+MOVED = [(-0.08, 0.5), (0.02, 1.0), (0.08, 0.5)]
+
+
+@pytest.mark.parametrize(("offset", "payload"), [
+    *MOVED, *soaked_rows(*(
+        case for case in product((-0.08, -0.04, 0.02, 0.04, 0.08), (0.5, 1.0)) if case not in MOVED
+    )),
+])
 def test_the_offset_is_found_in_a_move_with_hoisting(offset: float, payload: float) -> None:
     true = swing(push, 5.0, rope=lift, length=LENGTH + offset, payload=payload)
     found, _ = estimates(measured(true, offset), planned())
@@ -142,7 +149,7 @@ def test_initial_sway_is_no_offset(start: float) -> None:
     assert abs(memory[OffsetMemory.ESTIMATE, OffsetEstimate.FOUND]) < 4e-3
 
 
-@pytest.mark.parametrize("begin", [0.0, 0.6, 1.5, 3.5])
+@pytest.mark.parametrize("begin", [0.0, 1.5, *soaked(0.6, 3.5)])
 def test_a_gust_is_no_offset(begin: float) -> None:
     def blow(time: float) -> np.ndarray:
         share = (time - begin) / 0.5
@@ -178,7 +185,7 @@ def test_the_instrument_is_blind_to_what_noise_and_wind_do_to_the_factor() -> No
     assert sums[OffsetSums.ZZRF] / sums[OffsetSums.ZZFF] > 0.2
 
 
-@pytest.mark.parametrize("bandwidth", [0.3, 1.0, 2.0])
+@pytest.mark.parametrize("bandwidth", [0.3, 2.0, *soaked(1.0)])
 def test_noisy_wind_is_seldom_five_deviations(bandwidth: float) -> None:
     """Sums of white noise through a lag of any bandwidth [Hz] against a plan's swinging."""
     share, found = 2.0 * np.pi * bandwidth * T, []
@@ -223,10 +230,11 @@ def test_the_filter_is_three_lags() -> None:
     assert second[:2] == pytest.approx([0.0, 2.0], abs=1e-6)
 
 
-def test_the_variances_are_those_of_filtered_white_noise() -> None:
+@campaign(10_000, 40_000)
+def test_the_variances_are_those_of_filtered_white_noise(count: int) -> None:
     given, states = parameters(), np.zeros((4, 7))
     random, found = np.random.default_rng(3), []
-    for i in range(40000):
+    for i in range(count):
         angle, place = random.normal(0.0, np.sqrt(given[Tracking.ANGLE_VARIANCE : Tracking.DELAY]))
         signals = np.array([LENGTH * angle + place, angle, 0.0, 0.0, 0.0, 0.0, 0.0])
         offset_filter(i == 0, 0.5 * BANDWIDTH * T, signals, states)

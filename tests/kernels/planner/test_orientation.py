@@ -18,6 +18,7 @@ from segfmu.kernels.planner.records import (
     PlanWork,
     Problem,
 )
+from tests.campaign import soaked_rows
 from tests.problems import packed_axis, work_space
 
 LIMITS = [0.9, 1.0, 2.0, 6.0, 30.0, 200.0, 0.0]
@@ -59,8 +60,13 @@ def test_all_ways_are_the_same_problem_and_come_back(state: tuple[float, ...]) -
         assert np.array_equal(seen[0], other)
 
 
-@pytest.mark.parametrize("n", [2, 3, 4, 5, 6])
-@pytest.mark.parametrize("state", STATES[:3])
+# of the slow ones one each
+KINDS = [*product((2, 3, 4), STATES[:3]), (5, STATES[0]), (6, STATES[1])]
+
+
+@pytest.mark.parametrize(("n", "state"), [
+    *KINDS, *soaked_rows(*(kind for kind in product((5, 6), STATES[:3]) if kind not in KINDS)),
+])
 def test_profiles_are_the_same_motion(n: int, state: tuple[float, ...]) -> None:
     durations = []
     for way in WAYS:
