@@ -18,6 +18,11 @@ from tests.validation.campaigns.files import CAMPAIGN, SCENARIO, write
 
 # what is written in place of what, and what the line says
 CAMPAIGNS = {
+    "entry of a list": (
+        'key = "simulation.initial_sway.0"\nrange = [0.0, 1.0]',
+        'key = "plan.waypoints.1.position.2"\nrange = [-0.5, 3.0]',
+        "sway = 3.0 (plan.waypoints.1.position.2, which counts from 0): ",
+    ),
     "no toml": ('name = "c"', 'name = "c', "c.toml: not valid TOML"),
     "no name": ('name = "c"', "", "name: this key is missing"),
     "unknown key": ('name = "c"', 'name = "c"\nsampler = 1', "sampler: unknown key; did you mean"),

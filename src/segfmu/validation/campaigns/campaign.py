@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from segfmu.errors import InputError
-from segfmu.validation.campaigns.factors import changes, nominal
+from segfmu.validation.campaigns.factors import changes, nominal, told
 from segfmu.validation.campaigns.sampling import Sample, levels, samples
 from segfmu.validation.files.campaign_file import CampaignSource, read_campaign
 from segfmu.validation.files.campaign_tables import MOST_RUNS, FactorTable
@@ -210,7 +210,7 @@ def _ends(source: Source, factors: list[FactorTable]) -> Iterator[Scenario]:
             try:
                 yield build_scenario(source, changes(source, [factor], {factor.name: value}))
             except InputError as error:
-                raise InputError(f"factor {factor.name} = {value}: {error}") from None
+                raise InputError(f"{told(factor, value)}: {error}") from None
 
 
 def _hash(path: Path) -> str:

@@ -38,6 +38,13 @@ def changes(source: Source, factors: Sequence[FactorTable], sample: Sample) -> d
     return found
 
 
+def told(factor: FactorTable, value: Any) -> str:
+    """A factor and its value in messages, which count entries of lists from 1, as keys do not."""
+    counted = any(part.isdecimal() for part in (factor.key or "").split("."))
+    where = f" ({factor.key}, which counts from 0)" if counted else ""
+    return f"factor {factor.name} = {value}{where}"
+
+
 def nominal(source: Source, factor: FactorTable) -> Any:
     """The value that the files have; None if they do not say it."""
     if factor.key is None:

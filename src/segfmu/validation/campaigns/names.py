@@ -14,7 +14,7 @@ from segfmu.cosim.messages import on_stderr
 from segfmu.errors import InputError
 from segfmu.validation.apart import Apart, Ended
 from segfmu.validation.campaigns.campaign import Campaign
-from segfmu.validation.campaigns.factors import changes
+from segfmu.validation.campaigns.factors import changes, told
 from segfmu.validation.campaigns.sampling import levels
 from segfmu.validation.campaigns.worker import within
 from segfmu.validation.files.scenario_file import build_scenario
@@ -63,5 +63,5 @@ def check_names(campaign: Campaign) -> None:
                         runner.check(build_scenario(source, own))
                     except InputError as error:
                         raise InputError(
-                            f"{campaign.source.path}: factor {factor.name} = {value}: {error}"
+                            f"{campaign.source.path}: {told(factor, value)}: {error}"
                         ) from None
