@@ -15,6 +15,7 @@ import segfmu
 from segfmu.errors import InputError
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.reading import merged
+from segfmu.validation.identification.fit import Problem
 from segfmu.validation.identification.log import OUTPUTS, read_log
 from segfmu.validation.identification.model import Model
 from tests.campaign import SOAK, campaign, soaked
@@ -198,6 +199,29 @@ def test_a_crane_that_cannot_do_what_the_log_has() -> None:
     stops = log.crane | {"travel": {"rope": [0.6, 0.9]}}
     with pytest.raises(InputError, match=r"cannot do what the log has: .* rope"):
         segfmu.identify(log.columns, stops)
+
+
+def test_a_search_that_a_short_part_leads_astray_begins_anew(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It said that the rope went slack, of logs without noise that the crane had made itself."""
+    log = synthetic("lab", "velocity", 0, rows=200)
+    keys = ["bridge.lag", "friction.sway.viscous"]
+    solved, astray = Problem._solved, [True]
+
+    def once(self: Problem, point: np.ndarray, *rest: Any) -> np.ndarray:
+        if astray.pop() if astray else False:
+            # no rope at the start
+            return np.where(np.arange(point.size) == len(keys) + 2, -1e3, point)
+        return solved(self, point, *rest)
+
+    expected = segfmu.identify(log.columns, log.crane_without(*keys), fit=keys)
+    monkeypatch.setattr(Problem, "_solved", once)
+    found = segfmu.identify(log.columns, log.crane_without(*keys), fit=keys)
+    assert not astray
+    for key in keys:
+        half = 0.5 * (expected[key].high - expected[key].low)
+        assert found[key].value == pytest.approx(expected[key].value, abs=0.05 * half), key
 
 
 def bad(**changes: Any) -> dict[str, Any]:

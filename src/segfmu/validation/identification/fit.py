@@ -75,7 +75,8 @@ class Problem:
         """
         point, kept = self._better(self._grown(progress), begin), set[int]()
         if self._few != self._logs:
-            point = self._settled(point, self._few)
+            few = self._settled(point, self._few)
+            point = few if self._possible(few, 1.0) else point
         point = self._settled(point, self._logs)
         while (direction := self._untold(point, kept)) is not None:
             without = self._without(point, direction)
@@ -126,11 +127,10 @@ class Problem:
 
     def _better(self, one: FloatArray, other: FloatArray | None) -> FloatArray:
         """Of the valleys of two points the deeper one."""
-        points = [one]
-        if other is not None and self._possible(other, 1.0):
-            points.append(other)
+        points = [p for p in (one, other) if p is not None and self._possible(p, 1.0)]
         found = [self._solved(point, self._few, TOLERANCE) for point in points]
-        return min(found, key=self._cost)
+        # what few rows lead to may be impossible between them
+        return min([*found, *points], key=self._cost)
 
     def _grown(self, progress: Callable[[float], None] = lambda _: None) -> FloatArray:
         """Fit longer and longer parts of the logs; the point for the longest but the whole."""
@@ -145,15 +145,24 @@ class Problem:
             while not self._possible(point, min(share * factor, 1.0)):
                 factor = np.sqrt(factor)
                 if factor < LEAST:
-                    self._refuse(point, min(share * factor, 1.0))
+                    point, factor = self._anew(point, min(share * GROWTH, 1.0)), GROWTH
             share = min(share * factor, 1.0)
         self._expected = EXPECTED
         return point
 
+    def _anew(self, point: FloatArray, share: float) -> FloatArray:
+        """Where the search began, as a short part may lead it astray; raises as `fit`."""
+        begin = np.zeros(self._unknowns.size)
+        if not self._possible(begin, share):
+            self._refuse(point, share)
+        return begin
+
     def _possible(self, point: FloatArray, share: float) -> bool:
         return bool(np.isfinite(self._residuals(point, self._parts(share))).all())
 
-    def _parts(self, share: float) -> list[Log]:
+    def _parts(self, share: float) -> Sequence[Log]:
+        if share == 1.0:
+            return self._logs
         return [log.rows(0, max(3, round(share * log.times.size))) for log in self._few]
 
     def _settled(self, point: FloatArray, logs: Sequence[Log]) -> FloatArray:
