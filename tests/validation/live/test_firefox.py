@@ -36,7 +36,7 @@ def browser() -> Iterator[Firefox]:
 
 
 @pytest.mark.parametrize(
-    ("mission", "rest"), [("container.toml", 60.0), *soaked_rows(("inteco.toml", 4.0))]
+    ("mission", "rest"), [("inteco.toml", 4.0), *soaked_rows(("container.toml", 60.0))]
 )
 def test_keys_drive_it_swing_free_and_a_plain_joystick_lets_it_swing(
     browser: Firefox, tmp_path: Path, mission: str, rest: float

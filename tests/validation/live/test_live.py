@@ -20,7 +20,7 @@ from segfmu.fmu.native.archive import build_all
 from segfmu.validation.live.space import limits, space, speeds
 from segfmu.validation.live.system import interfaces
 from segfmu.validation.planned import planned
-from tests.campaign import campaign, soaked
+from tests.campaign import campaign, soaked, soaked_rows
 from tests.compiler import needs_native
 from tests.sharing import shared
 from tests.validation.live.compiler import needs_wasm
@@ -103,7 +103,7 @@ def resting(place: Any) -> dict[str, float]:
     return values
 
 
-@pytest.mark.parametrize(("name", "unit"), [("lab", 0.5), ("40 t", 2.0)])
+@pytest.mark.parametrize(("name", "unit"), [("lab", 0.5), *soaked_rows(("40 t", 2.0))])
 def test_signals_are_those_of_the_native_fmus(
     shown: Callable[[str], Page], tmp_path: Path, name: str, unit: float
 ) -> None:
