@@ -12,6 +12,7 @@ import pytest
 from fmpy import extract, read_model_description
 
 from segfmu.fmu.native import archive as native
+from tests.campaign import SOAK
 
 HERE = Path(__file__).parent
 HEADERS = Path(native.__file__).parent / "c" / "fmi"
@@ -93,6 +94,7 @@ def test_slaves_do_not_load_what_cannot_be_finalised() -> None:
     sys.platform != "linux" or not sysconfig.get_config_var("Py_ENABLE_SHARED"),
     reason="needs Linux and a Python with libpython as a shared library",
 )
+@pytest.mark.soak
 @pytest.mark.parametrize("index", [0, 1])
 def test_an_importer_without_python_ends_well(compiled, fmus, index: int, tmp_path: Path) -> None:
     importer = compiled("embedding", HERE / "c" / "embedding.c")
@@ -102,7 +104,7 @@ def test_an_importer_without_python_ends_well(compiled, fmus, index: int, tmp_pa
     environment = os.environ | {
         "PYTHONHOME": sys.base_prefix, "PYTHONPATH": os.pathsep.join(p for p in sys.path if p),
     }
-    for _ in range(4):
+    for _ in range(4 if SOAK else 2):
         done = subprocess.run(
             [importer, libpython, tmp_path / "binaries" / "linux64" / f"{found.modelName}.so",
              found.guid, (tmp_path / "resources").as_uri()],
