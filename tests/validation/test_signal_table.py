@@ -12,7 +12,8 @@ from segfmu.validation.signal_table import read_table
 
 
 @pytest.mark.parametrize(("text", "told"), [
-    ("", "no column time; the first line has ''"),
+    ("", "empty; the first line names the columns, such as time,wind.x"),
+    ("\n# a comment\n", "empty; the first line names the columns"),
     ("x,y\n1,2\n", "no column time; the first line has 'x, y'"),
     ("time;a\n0,0;1,5\n",
      ", line 2: time must be a number, got '0,0'; numbers have a decimal point"),

@@ -117,6 +117,8 @@ def _header(path: Path) -> tuple[str, list[str]]:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from None
     except ValueError:
         raise InputError(f"{path}: cannot be read: it is not text in UTF-8") from None
+    if not line.strip():
+        raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
     delimiter = delimiter_of(line)
     try:
         cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
