@@ -167,8 +167,11 @@ def test_the_animation_plays_to_its_end(
         for _ in range(5):
             page.keyboard.press("ArrowLeft")
         assert shown(page)[0] == pytest.approx(0.9 * runs(name).time[-1], abs=0.01)
-    page.click("#play")
-    assert page.inner_text("#play") == "Pause"
+    # at once: a busy machine may ask when it has ended
+    assert page.evaluate("""() => {
+        document.getElementById("play").click();
+        return document.getElementById("play").textContent;
+    }""") == "Pause"
     page.wait_for_function("document.getElementById('play').textContent === 'Play'")
     end = shown(page)
     assert end[0] == pytest.approx(runs(name).time[-1], abs=0.01)
