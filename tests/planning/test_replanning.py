@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 from benchmarks.replanning import over_optimum, random_plan
@@ -19,6 +22,7 @@ from segfmu import (
     stop,
     verify,
 )
+from segfmu.planning.waypoint import waypoint_of
 from tests.campaign import campaign, soaked
 from tests.property import soak_replan
 
@@ -463,3 +467,28 @@ def test_at_the_very_end_of_a_plan_that_ends_moving_nothing_is_left(
             found = replan(old, old.duration - before, target)
             assert found.duration <= before + 1e-14 * old.duration
             assert verify(found).passed
+
+
+def test_threads_replan_side_by_side() -> None:
+    old = first_plan(4)
+    times = np.linspace(0.0, old.duration, 24)
+
+    def durations(run: Callable[..., Iterable[Trajectory]]) -> list[float]:
+        found = run(lambda t: replan(old, t, Waypoint([0.4, 1.0, -0.3])), times)
+        return [new.duration for new in found]
+
+    alone = durations(map)
+    with ThreadPoolExecutor(8) as threads:
+        assert durations(threads.map) == alone
+
+
+@pytest.mark.parametrize("n", [2, 4, 6])
+@pytest.mark.parametrize("axes", [1, 3])
+def test_a_state_is_the_waypoint_of_its_derivatives(n: int, axes: int) -> None:
+    for states in (np.random.default_rng(n).normal(size=(axes, n + 1)), np.zeros((axes, n + 1))):
+        found, given = waypoint_of(states), Waypoint(*states.T)
+        assert found == given and repr(found) == repr(given)
+        assert np.array_equal(found.planned, given.planned)
+        assert (found.axes, found.free, found.settled) == (axes, given.free, given.settled)
+        with pytest.raises(ValueError, match="read-only"):
+            found.jerk[0] = 1.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadStage, LeadTa
 from segfmu.kernels.trajectory.records import Timing
 from segfmu.planning.problem import SHAPES
 
+# rows of work space that is kept, at most
+LARGEST = 10_000
 # what a lead goes to
 TO_VELOCITY, TO_PLAN = int(LeadStage.VELOCITY), int(LeadStage.ACCELERATION)
 
@@ -99,7 +102,7 @@ class Pieces:
     def starts(self) -> FloatArray:
         """Position and the derivatives 1 .. n of every axis at its start, shape (axes, n + 1)."""
         first = self.coefficients[self.offsets[:-1], : self.coefficients.shape[1] // 2 + 1]
-        return first * np.cumprod([1.0, *range(1, first.shape[1])])
+        return first * _factorials(first.shape[1])
 
     @property
     def used(self) -> int:
@@ -118,11 +121,19 @@ class Pieces:
         return Pieces(timing[:used], coefficients[:used], offsets)
 
     def _padded(self, rows: int) -> tuple[FloatArray, FloatArray, NDArray[np.int64]]:
+        if len(self.timing) >= rows:
+            return self.timing[:rows], self.coefficients[:rows], self.offsets
         timing = np.zeros((rows, Timing.SIZE))
         coefficients = np.zeros((rows, self.coefficients.shape[1]))
         timing[: self.used] = self.timing[: self.used]
         coefficients[: self.used] = self.coefficients[: self.used]
         return timing, coefficients, self.offsets
+
+
+@lru_cache(maxsize=8)
+def _factorials(count: int) -> FloatArray:
+    """0! .. (count - 1)!, shape (count,)."""
+    return np.cumprod([1.0, *range(1, count)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -156,6 +167,19 @@ class Leads:
         return replace(self, pieces=pieces, following=np.array([p.used > 0 for p in parts]))
 
 
+class Space:
+    """Arrays in which leads of some number of derivatives are searched for."""
+
+    def __init__(self, rows: int, width: int) -> None:
+        self.work = np.empty((LeadWork.SIZE, LeadWork.COLUMNS))
+        self.timing = np.empty((rows, Timing.SIZE))
+        self.coefficients = np.empty((rows, 2 * (width - 1)))
+
+
+# taken out while it is used, so that threads do not share it: new memory takes a tenth of a replan
+_spaces: dict[int, Space] = {}
+
+
 def find_leads(
     order: int, now: FloatArray, targets: FloatArray, limits: FloatArray, lower: FloatArray,
     shape: str, follow: Pieces, meeting: float | None = None, *, brakes: bool = True,
@@ -181,25 +205,32 @@ def find_leads(
         A state that cannot keep the limits is brought inside first; else it has no lead.
     """
     axes, width = now.shape
-    work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
+    rows = len(follow.timing) + axes * LeadRows.PIECES + LeadRows.ALL
+    space = _spaces.pop(width, None)
+    if space is None or len(space.timing) < rows:
+        space = Space(rows, width)
+    work, timing, coefficients = space.work, space.timing, space.coefficients
+    work.fill(0.0)
     work[LeadWork.TASK, : LeadTask.SIZE] = (
         order, -1.0 if meeting is None else meeting, SHAPES.index(shape), brakes
     )
     states = np.zeros((2, axes, width))
     states[0], states[1, :, : WaypointState.SIZE] = now, targets
-    rows = len(follow.timing) + axes * LeadRows.PIECES + LeadRows.ALL
-    timing, coefficients = np.empty((rows, Timing.SIZE)), np.empty((rows, 2 * (width - 1)))
     ends, offsets = np.zeros((axes, LeadEnd.SIZE)), np.zeros(axes + 1, dtype=np.int64)
     failed = backend.find_leads(
         states, limits, lower, follow.offsets, follow.timing, follow.coefficients, ends, work,
         timing, coefficients, offsets,
     )
-    if failed >= 0:
-        return Leads(follow, np.zeros((axes, DelayedState.SIZE)), failed)
     used = max(int(offsets[-1]), 1)
+    pieces = follow if failed >= 0 else Pieces(
+        timing[:used].copy(), coefficients[:used].copy(), offsets
+    )
+    if rows <= LARGEST:
+        _spaces[width] = space
+    if failed >= 0:
+        return Leads(pieces, np.zeros((axes, DelayedState.SIZE)), failed)
     return Leads(
-        Pieces(timing[:used].copy(), coefficients[:used].copy(), offsets),
-        ends[:, : DelayedState.SIZE].copy(), following=ends[:, LeadEnd.FOLLOWS] > 0.0,
+        pieces, ends[:, : DelayedState.SIZE].copy(), following=ends[:, LeadEnd.FOLLOWS] > 0.0
     )
 
 

@@ -23,7 +23,7 @@ from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, solve_after
 from segfmu.planning.trajectory import Trajectory, require_plan
 from segfmu.planning.verify import TIME_TOLERANCE, time_error, verify
-from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.waypoint import Waypoint, waypoint_of
 
 # a new plan to the same target has to be shorter than the rest of the old one by this much, more
 # than steeper rises save: a motion that is replanned often would else become steeper and steeper
@@ -138,13 +138,15 @@ def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
         coefficients, offsets,
     )
     rest = Pieces(timing, coefficients, offsets)
-    return given, rest, Waypoint(*rest.starts().T)
+    return given, rest, waypoint_of(rest.starts())
 
 
 def _same(old: Waypoint, targets: tuple[Waypoint, Waypoint]) -> bool:
     """Whether a waypoint is a target, as it was given or as the request has rounded it."""
-    equal = (np.array_equal(old.planned, target.planned) for target in targets)
-    return any(equal) and old.dwell == targets[0].dwell
+    # as lists in half the time
+    states = old.planned.tolist()
+    equal = (states == target.planned.tolist() for target in targets)
+    return old.dwell == targets[0].dwell and any(equal)
 
 
 def _kept(
@@ -176,7 +178,7 @@ def _kept(
     points, last = old[:-1], old[-1]
     target = Waypoint(last.position, last.velocity, last.acceleration, dwell=dwell)
     for pieces in (rest, rest.anchored(target.state(2), request.problem.limits)):
-        first = Waypoint(*pieces.starts().T)
+        first = waypoint_of(pieces.starts())
         request = request._replace(waypoints=(first, *points, target))
         states = np.stack([p.state(trajectory.smoothness) for p in request.waypoints])
         kept, proved = judged(request, states, pieces, times)
@@ -199,7 +201,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
         states[:, :size] = settled = path[1]
         # rounding errors of a whole motion may be large against what is left of it
         for pieces in (rest, rest.anchored(settled, request.problem.limits)):
-            points = (Waypoint(*pieces.starts().T), *request.waypoints[1:])
+            points = (waypoint_of(pieces.starts()), *request.waypoints[1:])
             chosen = choose_states(request._replace(waypoints=points))
             found, proved = solve_after(chosen, Leads(pieces, states))
             if proved or verify(found).passed:

@@ -61,7 +61,10 @@ def solve_after(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     delayed[0] = leads.states
     problem = problem._replace(states=delayed)
     pieces, times = _expand(problem, _phases(request, problem))
-    full = np.stack([p.state(problem.options.smoothness) for p in request.waypoints])
+    # those above the acceleration are zero behind the first waypoint
+    full = np.zeros((points, axes, problem.options.smoothness + 1))
+    full[1:, :, : WaypointState.SIZE] = delayed[1:, :, : WaypointState.SIZE]
+    full[0] = request.start
     return judged(request, full, pieces.after(leads.pieces), times)
 
 

@@ -13,7 +13,7 @@ from segfmu.kernels import backend
 from segfmu.planning.limits import Limits
 from segfmu.planning.polynomials import extrema, inside_from
 from segfmu.planning.sketch import sketch
-from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.waypoint import Waypoint, waypoint_of
 
 
 @dataclass(frozen=True, eq=False, repr=False, init=False)
@@ -162,7 +162,7 @@ class Trajectory:
             finite_number("t", t), self.timing, self.coefficients, self.offsets,
             self.axis_durations, states,
         )
-        return Waypoint(*states)
+        return waypoint_of(states.T)
 
     def pieces(self, axis: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Starts (pieces,), lengths (pieces,) and coefficients (pieces, width) of one axis.

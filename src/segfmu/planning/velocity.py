@@ -19,7 +19,7 @@ from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import verify
-from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.waypoint import Waypoint, waypoint_of
 
 
 def stop(
@@ -178,7 +178,7 @@ def _joined(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
     ).after(leads.pieces)
     start = np.where(leads.following[:, None], pieces.starts(), request.start)
     end = Waypoint(leads.states[:, 0] + velocity * (duration - delays), velocity)
-    request = request._replace(waypoints=(Waypoint(*start.T), end))
+    request = request._replace(waypoints=(waypoint_of(start), end))
     states = np.stack([p.state(request.problem.options.smoothness) for p in request.waypoints])
     times = np.vstack([np.zeros(axes), np.full((2, axes), duration)])
     return judged(request, states, pieces, times)

@@ -123,6 +123,23 @@ class Waypoint(Frozen):
         return np.array([getattr(self, name) for name in names]).T.copy()
 
 
+def waypoint_of(states: FloatArray) -> Waypoint:
+    """The waypoint of position and derivatives 1 .. n that are finite, shape (axes, n + 1).
+
+    As nothing is checked, it takes a tenth of the time of `Waypoint`.
+    """
+    axes, width = states.shape
+    rows = np.zeros((1 + len(DERIVATIVES), axes))
+    rows[:width] = states.T
+    rows.setflags(write=False)
+    point = object.__new__(Waypoint)
+    vars(point).update(
+        zip(("position", *DERIVATIVES), rows, strict=True), dwell=0.0, axes=axes,
+        planned=rows[: 1 + FREE].T, free=False, settled=not rows[1 + FREE :].any(),
+    )
+    return point
+
+
 @lru_cache(maxsize=16)
 def _zeros(axes: int) -> FloatArray:
     zeros = np.zeros(axes)
