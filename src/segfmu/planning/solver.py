@@ -42,7 +42,7 @@ def solve(
     InfeasibleError
         If no plan keeps the limits.
     """
-    if follow is None and request.waypoints[0].settled:
+    if request.waypoints[0].settled:
         status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
         if report is None:
             found = _trajectory(request, timing, coefficients, offsets, times)

@@ -27594,8 +27594,11 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
         if (start_search(shape, limits, lead))
         {
             search_stages(order, within_0001, limits, lead, timing, coefficients);
-            (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
-            follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+            if (jumps_often(lead))
+            {
+                (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+                follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+            }
             improve_lead(order, within_0001, limits, lead, timing, coefficients);
         }
     }

@@ -1,9 +1,9 @@
 """The lead of one axis: from any state to one from which the planner goes on, or to a velocity.
 
-Settling at once is tried (search.py), and following an old plan to the end of one of its ramps,
-where all derivatives above the acceleration are zero, and settling there. Where both take too long,
-leads over a level are tried (level.py). A state outside its limits is brought inside first
-(brake.py).
+Settling at once is tried (search.py), and with limits above the snap also following an old plan to
+the end of one of its ramps, where all derivatives above the acceleration are zero, and settling
+there. Where that takes too long, leads over a level are tried (level.py). A state outside its
+limits is brought inside first (brake.py).
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, NEVER
@@ -12,7 +12,7 @@ from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
-from segfmu.kernels.settling.level_search import permits_levels, search_levels
+from segfmu.kernels.settling.level_search import jumps_often, permits_levels, search_levels
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.search import search_stages
 from segfmu.kernels.settling.trial import time_anew, try_lead
@@ -122,11 +122,13 @@ def find_lead(
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
             search_stages(order, within, limits, lead, timing, coefficients)
-            lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
-            follow_plan(
-                order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing,
-                coefficients,
-            )
+            # with limits up to the snap settling at once takes no longer
+            if jumps_often(lead):
+                lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+                follow_plan(
+                    order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead,
+                    timing, coefficients,
+                )
             improve_lead(order, within, limits, lead, timing, coefficients)
     if brakes and lead[LeadWork.BEST, Lead.TIME] < 0.0:
         search_braked(order, within, shape, limits, lead, timing, coefficients)
