@@ -112,7 +112,7 @@ def planned(
 ) -> Trajectory:
     """The verified trajectory of a request without free states.
 
-    follow: a plan from its start, which it may follow at first. brakes: as for `solve`.
+    follow, brakes: as for `solve`.
     """
     trajectory, proved = solve(request, follow, brakes=brakes)
     if not proved:

@@ -34,7 +34,7 @@ def solve(
 ) -> tuple[Trajectory, bool]:
     """Plan and expand a trajectory; True if the kernels prove that it keeps the tolerance.
 
-    follow: a plan that begins in the state of the first waypoint, and that can be followed.
+    follow: a plan that begins in the state of the first waypoint, and that leads may follow.
     brakes: a first state that cannot keep the limits is brought inside; else it is refused.
 
     Raises

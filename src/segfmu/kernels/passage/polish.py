@@ -19,7 +19,7 @@ from segfmu.kernels.planner.plan import set_problems
 from segfmu.kernels.planner.records import Axis, Cell, Effort, Interval, WaypointState
 
 # a state is moved by this share of half its range at first, by less in each sweep; a fourth one
-# gains 0.05 % for a fifth more time
+# gains 0.05 % for a fourth more plans
 FIRST_MOVE = 0.03
 FINER = 0.32
 SWEEPS = 3
