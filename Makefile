@@ -1,7 +1,10 @@
 # make demo and make test set up everything themselves, in a virtual environment in .venv.
-PYTHON ?= $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
+ifndef PYTHON
+PYTHON := $(shell for p in python3.13 python3.12 python3.11 python3 python; do \
 	command -v $$p >/dev/null 2>&1 && $$p -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
 	>/dev/null 2>&1 && { echo $$p; break; }; done)
+export PYTHON
+endif
 comma := ,
 VENV := .venv
 BIN := $(VENV)/bin
@@ -10,8 +13,11 @@ OUT ?= out
 EXTRAS ?= dev
 PIP = $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile \
 	--constraint requirements-dev.lock
+# uv installs in a third of pip's time; pip, where there is none or it fails
+INSTALL = install() { $(BIN)/uv pip install --quiet --no-cache --system-certs --python $(BIN)/python \
+	--constraint requirements-dev.lock "$$@" 2> /dev/null || $(PIP) "$$@"; }; install
 
-.PHONY: help demo quick test soak interpreted lint examples pictures docs bench fuzz fmus check-platforms \
+.PHONY: help demo planned quick test soak interpreted lint examples pictures docs bench fuzz fmus check-platforms \
 	generate golden lock wheel check-wheel release clean
 .DEFAULT_GOAL := demo
 
@@ -43,18 +49,22 @@ FOR_KERNELS := pyproject.toml setup.py $(wildcard src/segfmu/kernels/c/* src/seg
 
 # the package and what it needs to run: one core compiles the kernels while the other one installs
 $(VENV)/package: $(FOR_PACKAGE) $(FOR_KERNELS) | $(BIN)/python
-	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/compiled $(VENV)/required $(BESIDE) $(VENV)/loaded
-	@$(BIN)/python -c "from segfmu.kernels.backend import COMPILED; \
-		COMPILED or print('note: no C compiler found; the kernels run interpreted, only slower')"
+	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/compiled $(VENV)/loaded
 	@touch $@
 
 $(BIN)/python:
 	@test -n "$(PYTHON)" || { echo "segfmu needs Python 3.11 or newer; none was found"; exit 1; }
-	@$(PYTHON) -m venv $(VENV)
+	@# By the pip of that Python, where it has one: venv takes longer to unpack its own. uv knows no
+	@# settings of pip: where these name other places of packages, pip installs everything.
+	@$(PYTHON) -m venv --without-pip $(VENV)
+	@uv=$$($(PYTHON) -m pip config list 2> /dev/null | grep -Eq 'index|find-links' || echo uv); \
+		$(PYTHON) -m pip --python $@ install --quiet --disable-pip-version-check --no-compile \
+		--only-binary :all: --constraint requirements-dev.lock pip $$uv 2> /dev/null || \
+		$(PYTHON) -m venv $(VENV)
 
 $(VENV)/required: $(FOR_PACKAGE)
 	@$(BIN)/python -c "$$REQUIREMENTS" > $@.txt
-	@$(PIP) --requirement $@.txt
+	@$(INSTALL) --requirement $@.txt
 	@touch $@
 
 # bytecode of what the first commands load, written while the kernels compile
@@ -66,7 +76,10 @@ $(VENV)/compiled: $(FOR_KERNELS)
 	@# a module of an older build would be found first
 	@rm -f src/segfmu/kernels/_compiled.cpython-* src/segfmu/kernels/_compiled.cp3*
 	@rm -f src/segfmu/cosim/_loop.cpython-* src/segfmu/cosim/_loop.cp3*
+	@# uv would lock the environment meanwhile
 	@$(PIP) --no-deps --editable .
+	@$(BIN)/python -c "from importlib.util import find_spec; find_spec('segfmu.kernels._compiled') or \
+		print('note: no C compiler found; the kernels run interpreted, only slower')"
 	@touch $@
 
 # where it cannot be done, the demo tells why
@@ -83,7 +96,7 @@ EXTENDED := $(addprefix $(VENV)/installed,-docs -bench -platforms)
 $(EXTENDED): $(VENV)/installed
 $(VENV)/installed $(EXTENDED): $(VENV)/package
 	@$(BIN)/python -c "$$REQUIREMENTS" $(subst $(comma), ,$(EXTRA)) > $@.txt
-	@$(PIP) --requirement $@.txt
+	@$(INSTALL) --requirement $@.txt
 	@# at once on all cores, without their tests; warnings on the sources of others are not for ours
 	@$(BIN)/python -W ignore -m compileall -qq -j 0 -x '/site-packages/.*/tests/' $(VENV) || true
 	@touch $@
@@ -92,11 +105,14 @@ help: ## this list
 	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)$$/\1@\2/p' $(MAKEFILE_LIST) | \
 		awk -F@ '{ printf "make %-16s %s\n", $$1, $$2 }'
 
-# the one that takes longer first
-demo: BESIDE = $(VENV)/library-GantryFeedforward $(VENV)/library-GantryCrane
-demo: $(VENV)/package ## plan, invert, pack, co-simulate and judge the paper's mission
-	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
+# the library that takes longer first; to plan needs none
+demo: | $(BIN)/python ## plan, invert, pack, co-simulate and judge the paper's mission
+	@$(MAKE) --no-print-directory --jobs 2 $(VENV)/library-GantryFeedforward $(VENV)/library-GantryCrane planned
+	@touch $(VENV)/package
 	$(BIN)/segfmu simulate models/paper.toml --output $(OUT)
+
+planned: $(VENV)/compiled $(VENV)/loaded
+	$(BIN)/segfmu plan models/paper.toml --output $(OUT)
 
 # the tests that fail for most mistakes in kernels, planner, crane, FMUs and generated files
 QUICK := tests/golden tests/property tests/kernels/test_backend.py \
