@@ -15,7 +15,7 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.python.archive import build_all
-from tests.compiler import SANITIZERS, kernels_object, optimised, require_cc, require_native
+from tests.compiler import SANITIZERS, binary, kernels_object, require_cc, require_native
 from tests.kernels.planner.c_planner import Planner
 from tests.sharing import shared
 
@@ -35,6 +35,14 @@ def pytest_collection() -> Iterator[None]:
         gc.enable()
         gc.collect()
         gc.freeze()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def sooner_binaries() -> Iterator[None]:
+    """Native archives that this process builds have the binaries of `tests.compiler`."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(native, "binary", binary)
+        yield
 
 
 @pytest.fixture(scope="session")
@@ -59,21 +67,15 @@ def native_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Pat
 
 @pytest.fixture(scope="session")
 def hook_fmus(tmp_path_factory: pytest.TempPathFactory) -> dict[int, tuple[Path, Path]]:
-    """Native archives of HookFeedforward and HookCrane, by version of FMI.
-
-    Those of FMI 2 are compiled as users have them; no other test wants those of FMI 3, which
-    compile in a third of the time.
-    """
+    """Native archives of HookFeedforward and HookCrane, by version of FMI."""
     require_native()
     specs = pairs.native((pairs.HOOK.planner(16), pairs.HOOK.plant()))
-
-    def built(fmi: int, level: str) -> tuple[Path, Path]:
-        with optimised(level):
-            return pair(shared(
-                tmp_path_factory, f"hooks{fmi}", partial(native.build_all, specs, fmi=fmi),
-            ), pairs.HOOK)
-
-    return {2: built(2, "-O3"), 3: built(3, "-Og")}
+    return {
+        fmi: pair(shared(
+            tmp_path_factory, f"hooks{fmi}", partial(native.build_all, specs, fmi=fmi)
+        ), pairs.HOOK)
+        for fmi in (2, 3)
+    }
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,6 @@ from segfmu.fmu.gantry_crane.model import GANTRY_CRANE
 from segfmu.fmu.native.archive import build_all
 from segfmu.fmu.standard.spec import Spec, output
 from tests.campaign import soaked
-from tests.compiler import optimised
 from tests.fmu.native.importer import Importer
 
 MODEL, NAME = "FurtherCrane", "load.slant"
@@ -30,8 +29,7 @@ def further(own: Spec | None = None) -> Spec:
 
 @pytest.fixture(scope="module", params=[3, *soaked(2)])
 def built(request, tmp_path_factory) -> Path:
-    # its speed is of no interest here
-    with pytest.MonkeyPatch.context() as patch, optimised("-Og"):
+    with pytest.MonkeyPatch.context() as patch:
         model = replace(GANTRY_CRANE, name=MODEL, native_spec=further, largest=further)
         patch.setitem(models._registered, MODEL, model)
         folder = tmp_path_factory.mktemp("further")
