@@ -27,7 +27,11 @@ settings.load_profile("repeatable")
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection() -> Iterator[None]:
-    """Modules and thousands of tests stay: nothing looks for garbage among them, now or later."""
+    """Modules and thousands of tests stay: nothing looks for garbage among them, now or later.
+
+    Nor does it look often among others: SymPy makes so much that lasts that this takes a quarter of
+    its time.
+    """
     gc.disable()
     try:
         return (yield)
@@ -35,6 +39,7 @@ def pytest_collection() -> Iterator[None]:
         gc.enable()
         gc.collect()
         gc.freeze()
+        gc.set_threshold(100_000, 20, 100)
 
 
 @pytest.fixture(scope="session", autouse=True)
