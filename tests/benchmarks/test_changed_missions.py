@@ -8,11 +8,11 @@ import pytest
 from benchmarks.changed_missions import SITES, changes, compared
 
 import segfmu
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked
 
 
 @campaign(4, 6)
-@pytest.mark.parametrize("size", SITES)
+@pytest.mark.parametrize("size", ["ship to shore", *soaked("lab")])
 def test_a_changed_mission_keeps_its_bounds_or_is_refused_by_name(
     size: str, tmp_path, count: int
 ) -> None:

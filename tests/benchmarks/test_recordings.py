@@ -21,6 +21,7 @@ from benchmarks.recordings import (
 from segfmu.crane.operation_command import MODES
 from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
+from tests.campaign import soaked
 from tests.compiler import require_native
 
 
@@ -41,7 +42,7 @@ def test_recordings_are_commands_at_steps(name: str) -> None:
             assert row.values.keys() <= inputs
 
 
-@pytest.mark.parametrize("name", SITES)
+@pytest.mark.parametrize("name", ["lab", *soaked("port")])
 def test_fmus_follow_recordings_as_the_operator_does(name: str, tmp_path: Path) -> None:
     require_native()
     site = SITES[name]

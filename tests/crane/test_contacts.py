@@ -15,6 +15,7 @@ from segfmu.crane.feedback import design
 from segfmu.crane.inverse import FORCE, POSITION, VELOCITY
 from segfmu.kernels import backend
 from segfmu.kernels.crane.records import Contact, FrictionSeries
+from tests.campaign import soaked
 
 LAB, STS = segfmu.Crane(2.2, 1.155, 1.0), segfmu.Crane(300e3, 15e3, 40e3)
 WEIGHTS = 9.81 * np.array([355e3, 55e3, 40e3])
@@ -50,7 +51,7 @@ def inverse(case: str) -> segfmu.FlatInverse:
     return segfmu.FlatInverse(crane, trajectory(case), friction)
 
 
-@BY_CASE
+@pytest.mark.parametrize("case", ["lab, all", "40 t, static", *soaked("lab", "40 t")])
 def test_forces_are_those_of_the_ideal_crane_and_friction(case: str) -> None:
     """The contacts are followed in small steps; only rests and stops are other."""
     crane, friction = CASES[case]

@@ -26,7 +26,7 @@ from segfmu import (
 )
 from segfmu.crane import Friction
 from segfmu.kernels import backend
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked
 
 MODELS = Path(__file__).parents[2] / "models"
 FREE = Limits(velocity=[0.4, 0.4, 0.3], acceleration=0.5, jerk=1.5, snap=10.0)
@@ -317,7 +317,7 @@ def test_the_axis_that_is_the_last_to_enter_an_obstacle_waits(
     assert sense * operator.load[0, 0] > sense * face + 0.1
 
 
-@pytest.mark.parametrize("name", SITES)
+@pytest.mark.parametrize("name", ["lab", *soaked("port")])
 def test_what_is_built_up_slowly_does_not_turn_back(name: str) -> None:
     site = SITES[name]
     low, high = (np.asarray(end) for end in (site.clearance.minimum, site.clearance.maximum))

@@ -10,6 +10,7 @@ import pytest
 
 import segfmu
 from segfmu.errors import InputError
+from tests.campaign import soaked
 from tests.compiler import needs_native
 from tests.crane.newton import accelerations
 from tests.test_cli import invoke
@@ -52,7 +53,7 @@ MASSES = ("bridge_mass", "trolley_mass", "payload_mass")
 
 
 @needs_native
-@pytest.mark.parametrize("mission", [LAB, STS], ids=["lab", "sts"])
+@pytest.mark.parametrize("mission", [STS, *soaked(LAB)])
 def test_no_drive_exceeds_a_direction_and_the_stronger_one_is_used(mission: dict) -> None:
     step = 0.002 if mission is LAB else 0.01
     run = segfmu.simulate(mission, step=step)

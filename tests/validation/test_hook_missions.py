@@ -13,6 +13,7 @@ from segfmu.cosim import simulate
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.output import plan_samples
 from segfmu.validation.report.run_page import run_page
+from tests.campaign import soaked
 from tests.compiler import require_native
 
 MODELS = Path(__file__).parents[2] / "models"
@@ -57,7 +58,7 @@ def test_plots_of_a_run_show_the_sling(run) -> None:
     assert "ψy, sling" in labels
 
 
-@pytest.mark.parametrize("name", MISSIONS)
+@pytest.mark.parametrize("name", ["overhead", *soaked("hook_lab")])
 def test_archives_of_a_mission_plan_it_by_themselves(tmp_path, name: str) -> None:
     require_native()
     mission = load_mission(MODELS / f"{name}.toml")

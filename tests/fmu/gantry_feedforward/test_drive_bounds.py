@@ -14,7 +14,7 @@ import segfmu
 from segfmu.cosim.load import load
 from segfmu.errors import SimulationError
 from segfmu.kernels.crane.records import BOUNDED
-from tests.campaign import soaked_rows
+from tests.campaign import soaked, soaked_rows
 from tests.fmu.native.importer import Importer
 
 # in the order of `demands`; end stops have tests of their own
@@ -221,7 +221,7 @@ def test_whatever_is_changed_bounds_are_kept_or_named(native_fmus, crane, lag) -
     assert kept > count / 10 and refused > count / 10, (kept, refused)
 
 
-@pytest.mark.parametrize("crane", CRANES)
+@pytest.mark.parametrize("crane", ["lab", *soaked("ship to shore")])
 def test_a_motion_is_slowed_until_it_just_keeps_the_bounds(native_fmus, crane) -> None:
     rng = np.random.default_rng(5)
     given, bounds = bound_values(crane)

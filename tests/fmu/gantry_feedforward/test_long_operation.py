@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from benchmarks.operated import SITES, Site
 
-from tests.campaign import campaign
+from tests.campaign import campaign, soaked
 from tests.fmu.gantry_feedforward.test_commands import LOAD, begun, named
 from tests.fmu.native.importer import Importer
 
@@ -68,7 +68,7 @@ def drifts(site: Site, steps: int, move: Motion) -> tuple[np.ndarray, int]:
 
 
 @campaign(60_000, 1_000_000, "steps")
-@pytest.mark.parametrize("name", SITES)
+@pytest.mark.parametrize("name", ["lab", *soaked("port")])
 def test_an_operator_does_not_drift(name: str, steps: int) -> None:
     site = SITES[name]
     operator = site.operator()
@@ -91,7 +91,7 @@ def test_an_operator_does_not_drift(name: str, steps: int) -> None:
 
 @campaign(60_000, 1_000_000, "steps")
 @pytest.mark.parametrize("fmi", [2, 3])
-@pytest.mark.parametrize("name", SITES)
+@pytest.mark.parametrize("name", ["port", *soaked("lab")])
 def test_an_fmu_does_not_drift(native_fmus, name: str, fmi: int, steps: int) -> None:
     site, count = SITES[name], 0
     with Importer(native_fmus[fmi][0]) as fmu:

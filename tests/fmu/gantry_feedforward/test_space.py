@@ -12,6 +12,7 @@ from segfmu.cosim.load import load
 from segfmu.fmu.gantry_feedforward import interface
 from segfmu.fmu.native.archive import build_all
 from segfmu.validation.pairs import with_arrays
+from tests.campaign import soaked
 from tests.compiler import require_native
 from tests.fmu.gantry_feedforward.test_drive_bounds import initialised
 
@@ -59,7 +60,7 @@ def boxes_of(rng, way, load, count) -> tuple[np.ndarray, np.ndarray, np.ndarray]
     return centres - half, centres + half, way * rng.uniform(0.0, 0.02, count)
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ["ship to shore", *soaked("lab")])
 def test_what_samples_meet_is_refused_and_nothing_else(native_fmus, size) -> None:
     rng = np.random.default_rng(4)
     way, rope = SIZES[size]
