@@ -7,15 +7,24 @@ from dataclasses import dataclass
 import numpy as np
 from hypothesis import strategies as st
 
+from segfmu.kernels import backend
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.phases import measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, Interval, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Interval,
+    Phase,
+    PlanStatus,
+    PlanWork,
+    Problem,
+)
 from segfmu.kernels.trajectory.pieces import expand_phases
 from segfmu.kernels.trajectory.records import Expansion, PieceState, Timing
 from segfmu.planning.polynomials import derivative_pieces, piece_extrema
 from segfmu.planning.problem import Problem as PlanProblem
-from segfmu.planning.problem import options, plan_phases
+from segfmu.planning.problem import options
 from segfmu.planning.trajectory import Trajectory
 
 
@@ -32,6 +41,18 @@ def packed_axis(smoothness: int, shape: int, limits: tuple[float, ...] | list[fl
     return axis
 
 
+def planned_cells(problem: PlanProblem) -> tuple[np.ndarray, np.ndarray]:
+    """The axes (axes, Axis) and cells (intervals * axes, Cell, ..) of a problem with a plan."""
+    points, count = problem.states.shape[:2]
+    axes = np.zeros((count, Axis.SIZE))
+    cells = np.zeros(((points - 1) * count, Cell.SIZE, Cell.COLUMNS))
+    assert backend.plan_phases(
+        problem.states, problem.dwells, problem.limits, problem.lower, problem.options.vector,
+        axes, cells, work_space(),
+    ) == PlanStatus.PLANNED
+    return axes, cells
+
+
 def shortest_duration(trajectory: Trajectory) -> float:
     """Duration [s] of the shortest profile found for one axis in one interval.
 
@@ -43,9 +64,9 @@ def shortest_duration(trajectory: Trajectory) -> float:
         trajectory.limits.table(1, smoothness), trajectory.limits.lower(1),
         options(smoothness, trajectory.shape, trajectory.synchronize, 0.0, 0.0),
     )
-    phases = plan_phases(problem)
-    assert phases.feasible and len(phases.cells) == 1
-    return float(phases.cells[0, Cell.RESULT, Interval.SHORTEST])
+    _, cells = planned_cells(problem)
+    assert len(cells) == 1
+    return float(cells[0, Cell.RESULT, Interval.SHORTEST])
 
 
 @dataclass(frozen=True)

@@ -131,10 +131,9 @@ from segfmu.kernels.rig.records import (
     SetupFault,
     StartFault,
 )
-from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadTask, LeadWork
+from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadTask, LeadWork, PlanPart
 from segfmu.kernels.trajectory.records import (
     Brake,
-    Check,
     Expansion,
     Judging,
     MotionWork,
@@ -231,7 +230,7 @@ def planner_calls() -> dict[str, Call]:
     pieces = backend.count_pieces(*planned)
     motion = zeros(MotionWork.SIZE, MotionWork.COLUMNS)
     motion[MotionWork.OPTIONS, : PlanOptions.SIZE] = options
-    motion[MotionWork.JUDGING, Judging.TOLERANCE] = 1e-9
+    motion[MotionWork.JUDGING, : Judging.SIZE] = 1e-9, 5e-10
     written = (
         zeros(pieces, Timing.SIZE), zeros(pieces, width), np.zeros(3, dtype=np.int64),
         zeros(4, 2), motion,
@@ -255,10 +254,6 @@ def planner_calls() -> dict[str, Call]:
         "expand_phases": (
             phases, count, axis, zeros(rows, Timing.SIZE), zeros(rows, width), 0, expansion,
         ),
-        "expand_plan": (
-            states, dwells, *planned, zeros(pieces, Timing.SIZE), zeros(pieces, width),
-            np.zeros(3, dtype=np.int64), zeros(4, 2), expansion.copy(),
-        ),
     }
 
 
@@ -278,6 +273,24 @@ def plan_arrays() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     options[PlanOptions.SMOOTHNESS], options[PlanOptions.SHAPE] = SMOOTHNESS, 1
     options[PlanOptions.SYNCHRONIZATION] = 1
     return options, zeros(2, Axis.SIZE), zeros(4, Cell.SIZE, Cell.COLUMNS)
+
+
+def onward_calls(lead: np.ndarray) -> dict[str, Call]:
+    """Two axes that move, on to a waypoint and to rest; lead as for `judge_pieces`."""
+    points, dwells, limits = moves()
+    options, _, cells = plan_arrays()
+    states = zeros(6, 2, LeadEnd.SIZE)
+    states[:3, :, : WaypointState.SIZE] = points
+    states[0, :, 1:4] = [0.3, 0.1, 0.2], [-0.2, 0.0, 0.1]
+    lead[LeadWork.OPTIONS, : PlanOptions.SIZE] = options
+    rows = 2 * LeadRows.PIECES + LeadRows.ALL
+    return {
+        "plan_onward": (
+            states, dwells, limits, zeros(2, Lower.SIZE), zeros(4, Axis.SIZE), cells,
+            zeros(PlanPart.COUNT, rows, Timing.SIZE), zeros(PlanPart.COUNT, rows, 2 * SMOOTHNESS),
+            np.zeros(3 * PlanPart.COUNT, dtype=np.int64), zeros(4, 2), lead,
+        ),
+    }
 
 
 def trajectory_calls() -> dict[str, Call]:
@@ -308,7 +321,8 @@ def trajectory_calls() -> dict[str, Call]:
     lead[LeadWork.NOW, 1] = 0.3
     starts = zeros(3, SMOOTHNESS + 1)
     starts[:, 1] = 0.3, -0.2, 0.1
-    lead[LeadWork.TASK, : LeadTask.SIZE] = 1.0, -1.0, 1.0, 1.0
+    lead[LeadWork.TASK, : LeadTask.BRAKES + 1] = 1.0, -1.0, 1.0, 1.0
+    lead[LeadWork.JUDGING, : Judging.SIZE] = 1e-9, 5e-10
     none = np.zeros(4, dtype=np.int64), zeros(1, Timing.SIZE), zeros(1, width)
     most = 1 + 3 * LeadRows.PIECES + LeadRows.ALL
     leading = np.tile([1.0, 0.5, 10.0, 20.0, 0.0], (3, 1))
@@ -318,6 +332,12 @@ def trajectory_calls() -> dict[str, Call]:
             np.stack([starts, zeros(3, SMOOTHNESS + 1)]), leading, zeros(3, Lower.SIZE), *none,
             zeros(3, LeadEnd.SIZE), lead, zeros(most, Timing.SIZE), zeros(most, width),
             np.zeros(4, dtype=np.int64),
+        ),
+        **onward_calls(lead.copy()),
+        "judge_pieces": (
+            states, np.vstack([times, ends]), *pieces, found.limits.table(3, SMOOTHNESS),
+            zeros(3, Lower.SIZE), zeros(3, Brake.SIZE), lead.copy(),
+            *(array.copy() for array in leads),
         ),
         "plan_ends": (*pieces, zeros(3, DelayedState.SIZE)),
         "are_at_velocities": (
@@ -344,14 +364,6 @@ def trajectory_calls() -> dict[str, Call]:
             np.zeros(4, dtype=np.int64),
         ),
         "state_scale": (1, 4.0, np.array([1e9, 2.0, 5.0, 20.0, 0.0])),
-        "check_plan": (
-            states, np.vstack([times, ends]), *pieces, bounds, zeros(len(bounds), 2), 1e-9, 5e-10,
-            zeros(Check.SIZE, Check.COLUMNS),
-        ),
-        "check_braked_plan": (
-            states, np.vstack([times, ends]), *pieces, bounds, zeros(len(bounds), 2),
-            zeros(len(bounds), Brake.SIZE), 1e-9, 5e-10, zeros(Check.SIZE, Check.COLUMNS),
-        ),
         "check_rope": (*pieces, np.array([9.81, 0.2, 2.0]), rope, zeros(RopeFault.SIZE)),
         "check_hook": (
             *pieces, np.array([2.0, 2.0, 2.0]), np.array(LAB.masses), 0.2, 0.3,

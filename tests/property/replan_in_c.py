@@ -9,7 +9,7 @@ import numpy as np
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint
 from segfmu.arrays import FloatArray
-from segfmu.planning.lead import Pieces
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.problem import SHAPES, SYNCHRONIZATIONS
 from tests.kernels.planner.c_planner import Asked, Planner, Pointer, Result
 

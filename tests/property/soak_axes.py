@@ -13,8 +13,8 @@ import numpy as np
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, verify
 from segfmu.kernels.backend import timed_profile
-from segfmu.kernels.planner.records import PlanWork
-from segfmu.planning.problem import Options, Phases, Problem, plan_phases
+from segfmu.planning.problem import Options, Problem
+from tests.problems import planned_cells, work_space
 from tests.property.soak import shares
 
 GRID = 60
@@ -49,7 +49,9 @@ def earlier(trajectory: Trajectory) -> str | None:
     states = np.stack(
         [np.column_stack([p.position, p.velocity, p.acceleration]) for p in trajectory.waypoints]
     )
-    phases = plan_phases(Problem(states, dwells, table, trajectory.limits.lower(axes), options))
+    packed, cells = planned_cells(
+        Problem(states, dwells, table, trajectory.limits.lower(axes), options)
+    )
     alone = plan(
         trajectory.waypoints, trajectory.limits, smoothness=n, shape=trajectory.shape,
         synchronize="none",
@@ -62,21 +64,22 @@ def earlier(trajectory: Trajectory) -> str | None:
         if high <= low * (1.0 + 1e-9):
             continue
         for target in np.linspace(low, high * (1.0 - 1e-6), GRID)[1:]:
-            if all(feasible(trajectory, phases, j * axes + i, float(target)) for i in range(axes)):
+            if all(
+                feasible(trajectory, packed[i], cells[j * axes + i], j, i, float(target))
+                for i in range(axes)
+            ):
                 return f"interval {j + 1}: {target} s would do, {high} s was found"
     return None
 
 
-def feasible(trajectory: Trajectory, phases: Phases, cell: int, target: float) -> bool:
-    """Whether the axis of a cell has a profile of the given duration in its interval."""
-    j, axis = divmod(cell, trajectory.axes)
+def feasible(
+    trajectory: Trajectory, packed: np.ndarray, cell: np.ndarray, j: int, axis: int, target: float
+) -> bool:
+    """Whether an axis has a profile of the given duration in the interval j; packed (Axis)."""
     resting = not any(
         p.velocity[axis] or p.acceleration[axis] for p in trajectory.waypoints[j : j + 2]
     )
-    work = np.zeros((PlanWork.SIZE, PlanWork.COLUMNS))
-    return resting or timed_profile(
-        target, phases.axes[axis], phases.cells[cell].copy(), work
-    ) >= 0.0
+    return resting or timed_profile(target, packed, cell.copy(), work_space()) >= 0.0
 
 
 def soak_axes(count: int, seed: int) -> tuple[int, int, list[str]]:

@@ -50,8 +50,8 @@ from segfmu.kernels.operation.records import (
 )
 from segfmu.kernels.planner.records import PlanOptions
 from segfmu.planning.clearance import Clearance
-from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.planner import plan
 from segfmu.planning.request import checked_request, checked_smoothness
 from segfmu.planning.trajectory import Trajectory

@@ -37,35 +37,6 @@ def state_scale(
     /,
 ) -> float: ...
 
-def check_plan(
-    states: Floats,
-    times: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    limits: Floats,
-    lower: Floats,
-    tolerance: float,
-    joints: float,
-    work: Floats,
-    /,
-) -> int: ...
-
-def check_braked_plan(
-    states: Floats,
-    times: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    limits: Floats,
-    lower: Floats,
-    brakes: Floats,
-    tolerance: float,
-    joints: float,
-    work: Floats,
-    /,
-) -> int: ...
-
 def check_rope(
     timing: Floats,
     coefficients: Floats,
@@ -1018,16 +989,33 @@ def count_pieces(
     /,
 ) -> int: ...
 
-def expand_plan(
+def judge_pieces(
+    states: Floats,
+    times: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    limits: Floats,
+    lower: Floats,
+    brakes: Floats,
+    lead: Floats,
+    spare_timing: Floats,
+    spare_coefficients: Floats,
+    /,
+) -> bool: ...
+
+def plan_onward(
     states: Floats,
     dwells: Floats,
+    limits: Floats,
+    lower: Floats,
     axes: Floats,
     cells: Floats,
     timing: Floats,
     coefficients: Floats,
     offsets: Integers,
     times: Floats,
-    work: Floats,
+    lead: Floats,
     /,
 ) -> int: ...
 

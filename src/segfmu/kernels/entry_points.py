@@ -131,8 +131,8 @@ from segfmu.kernels.rig.records import (
     StartFault,
     Target,
 )
-from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork
-from segfmu.kernels.trajectory.records import Brake, Check, Expansion, MotionWork, Spare, Timing
+from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork, PlanPart
+from segfmu.kernels.trajectory.records import Brake, Expansion, MotionWork, Spare, Timing
 
 # without noise, changes of the payload, times, or obstacles
 MAY_BE_EMPTY = ("sines", "changes", "samples", "boxes")
@@ -152,6 +152,7 @@ PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
 MOTION_SMOOTHNESS = f"work[{MotionWork.OPTIONS}, {PlanOptions.SMOOTHNESS}]"
 RIG_ROWS = "rig_rows(settings)"
 LEAD_ROWS = f"pieces + {LeadRows.PIECES} * axes + {LeadRows.ALL}"
+ONWARD_ROWS = f"{LeadRows.PIECES} * axes + {LeadRows.ALL}"
 
 MOTION: dict[str, Extent | tuple[Extent, ...]] = {
     "states": ("points", "axes", WaypointState.SIZE), "dwells": "points",
@@ -216,28 +217,7 @@ _COMMON = (
         coefficients=("row + ramp_pieces(axis) * count", AXIS_WIDTH),
         work=(Expansion.SIZE, Expansion.COLUMNS),
     ),
-    entry(
-        "trajectory.expand", "expand_plan", states=("points", "axes", WaypointState.SIZE),
-        dwells="points", axes=("axes", Axis.SIZE),
-        cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
-        timing=("count_pieces(axes, cells)", Timing.SIZE),
-        coefficients=("count_pieces(axes, cells)", PLAN_WIDTH), offsets="axes + 1",
-        times=("points + 1", "axes"), work=(Expansion.SIZE, Expansion.COLUMNS),
-    ),
     entry("trajectory.check", "state_scale", limits="order + 2"),
-    entry(
-        "trajectory.check", "check_plan", states=("points", "axes", WaypointState.SIZE),
-        times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
-        coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
-        lower=("axes", Lower.SIZE),
-        work=(Check.SIZE, Check.COLUMNS),
-    ),
-    entry(
-        "trajectory.check", "check_braked_plan", states=("points", "axes", WaypointState.SIZE),
-        times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
-        coefficients=("pieces", 4), offsets="axes + 1", limits=("axes", 3),
-        lower=("axes", Lower.SIZE), brakes=("axes", Brake.SIZE), work=(Check.SIZE, Check.COLUMNS),
-    ),
     entry("trajectory.motion", "plan_motion", **MOTION),
     entry("trajectory.motion", "expand_motion", **MOTION),
     entry(
@@ -246,6 +226,23 @@ _COMMON = (
         plan_coefficients=("pieces", "width"), ends=("axes", LeadEnd.SIZE),
         lead=(LeadWork.SIZE, LeadWork.COLUMNS), timing=(LEAD_ROWS, Timing.SIZE),
         coefficients=(LEAD_ROWS, "width"), offsets="axes + 1",
+    ),
+    entry(
+        "settling.onward", "plan_onward", states=("2 * points", "axes", LeadEnd.SIZE),
+        dwells="points", limits=("axes", "orders"), lower=("axes", Lower.SIZE),
+        axes=("2 * axes", Axis.SIZE), cells=("(points - 1) * axes", Cell.SIZE, Cell.COLUMNS),
+        timing=(PlanPart.COUNT, ONWARD_ROWS, Timing.SIZE),
+        coefficients=(PlanPart.COUNT, ONWARD_ROWS, "2 * orders - 2"),
+        offsets=f"{PlanPart.COUNT} * (axes + 1)", times=("points + 1", "axes"),
+        lead=(LeadWork.SIZE, LeadWork.COLUMNS),
+    ),
+    entry(
+        "settling.onward", "judge_pieces", states=("points", "axes", WaypointState.SIZE),
+        times=("points + 1", "axes"), timing=("pieces", Timing.SIZE),
+        coefficients=("pieces", "2 * orders - 2"), offsets="axes + 1", limits=("axes", "orders"),
+        lower=("axes", Lower.SIZE), brakes=("axes", Brake.SIZE),
+        lead=(LeadWork.SIZE, LeadWork.COLUMNS), spare_timing=(LeadRows.ALL, Timing.SIZE),
+        spare_coefficients=(LeadRows.ALL, "2 * orders - 2"),
     ),
     entry(
         "settling.ends", "plan_ends", timing=("pieces", Timing.SIZE),

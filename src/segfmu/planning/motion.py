@@ -20,7 +20,15 @@ USUAL_RAMPS = 12
 KEPT = 8
 LARGEST = 64
 
+# numbers of waypoints and axes, and the smoothness
 Size = tuple[int, int, int]
+
+
+def usual_rows(size: Size) -> int:
+    """Rows for the pieces of most plans of a size."""
+    points, axes, smoothness = size
+    pieces = int(2 ** (smoothness - 1) - 1)
+    return Spare.ROWS + USUAL_RAMPS * pieces * (points - 1) * axes
 
 
 class Motion(NamedTuple):
@@ -52,7 +60,7 @@ class Space:
     def __init__(self, size: Size) -> None:
         points, axes, smoothness = size
         cells = (points - 1) * axes
-        rows = Spare.ROWS + USUAL_RAMPS * (2 ** (smoothness - 1) - 1) * cells
+        rows = usual_rows(size)
         self.size = size
         self.axes = np.zeros((axes, Axis.SIZE))
         self.cells = np.zeros((cells, Cell.SIZE, Cell.COLUMNS))
@@ -60,6 +68,7 @@ class Space:
         self.chosen: Options | None = None
         self.options = self.work[MotionWork.OPTIONS, : PlanOptions.SIZE]
         self.work[MotionWork.JUDGING, Judging.TOLERANCE] = TOLERANCE
+        self.work[MotionWork.JUDGING, Judging.JOINTS] = 0.5 * TOLERANCE
         self.refusal = self.work[MotionWork.PLAN + PlanWork.REFUSAL, : Refusal.SIZE]
         self.timing = np.empty((rows, Timing.SIZE))
         self.coefficients = np.empty((rows, 2 * smoothness))

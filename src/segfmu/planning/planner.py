@@ -13,8 +13,8 @@ from segfmu.arrays import FloatArray, Range, finite_number, require_callable, sh
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.demands import require, require_positions
 from segfmu.planning.free import OVERSHOOT, Progress, at_rest, choose_states
-from segfmu.planning.lead import Pieces
 from segfmu.planning.limits import Limits
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.request import Request, checked_request, position_range
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory

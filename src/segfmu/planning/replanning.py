@@ -16,11 +16,11 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels import backend
 from segfmu.kernels.planner.records import WaypointState
 from segfmu.planning.free import choose_states
-from segfmu.planning.lead import Leads, Pieces
 from segfmu.planning.limits import Limits
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.planner import planned
 from segfmu.planning.request import Request, checked_request
-from segfmu.planning.solver import judged, solve_after
+from segfmu.planning.solver import judged, solve_behind
 from segfmu.planning.trajectory import Trajectory, require_plan
 from segfmu.planning.verify import TIME_TOLERANCE, time_error, verify
 from segfmu.planning.waypoint import Waypoint, waypoint_of
@@ -203,7 +203,7 @@ def _planned(request: Request, rest: Pieces) -> Trajectory:
         for pieces in (rest, rest.anchored(settled, request.problem.limits)):
             points = (waypoint_of(pieces.starts()), *request.waypoints[1:])
             chosen = choose_states(request._replace(waypoints=points))
-            found, proved = solve_after(chosen, Leads(pieces, states))
+            found, proved = solve_behind(chosen, pieces, states)
             if proved or verify(found).passed:
                 return found
         raise

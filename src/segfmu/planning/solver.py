@@ -7,15 +7,12 @@ from numpy.typing import NDArray
 
 from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError, SegfmuError
-from segfmu.kernels import backend
-from segfmu.kernels.planner.records import DelayedState, PlanStatus, Refusal, WaypointState
-from segfmu.kernels.trajectory.records import Check
-from segfmu.planning.brake import find_brakes
-from segfmu.planning.lead import TO_PLAN, Leads, Pieces, find_leads
+from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.messages import SCALE, refusal, told_apart
-from segfmu.planning.motion import plan_motion
-from segfmu.planning.problem import Phases, Problem, expand_phases, plan_phases
+from segfmu.planning.motion import Motion, plan_motion
+from segfmu.planning.onward import judge_pieces, plan_behind, plan_onward
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.request import Request
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.verify import TOLERANCE
@@ -43,48 +40,38 @@ def solve(
         If no plan keeps the limits.
     """
     if request.waypoints[0].settled:
-        status, report, timing, coefficients, offsets, times = plan_motion(request.problem)
-        if report is None:
-            found = _trajectory(request, timing, coefficients, offsets, times)
-            return found, status == PlanStatus.PLANNED
-        if not (brakes and status in STARTS and report[Refusal.INTERVAL] == 0.0):
-            raise _refused(request, status, report)
-    return solve_after(request, _leads(request, follow, brakes))
-
-
-def solve_after(request: Request, leads: Leads) -> tuple[Trajectory, bool]:
-    """`solve` behind given leads."""
+        motion = plan_motion(request.problem)
+        report = motion.refusal
+        braked = brakes and motion.status in STARTS
+        if report is None or not (braked and report[Refusal.INTERVAL] == 0.0):
+            return _finished(request, motion)
     problem = request.problem
-    points, axes = problem.states.shape[:2]
-    delayed = np.zeros((points, axes, DelayedState.SIZE))
-    delayed[:, :, : WaypointState.SIZE] = problem.states
-    delayed[0] = leads.states
-    problem = problem._replace(states=delayed)
-    pieces, times = _expand(problem, _phases(request, problem))
-    # those above the acceleration are zero behind the first waypoint
-    full = np.zeros((points, axes, problem.options.smoothness + 1))
-    full[1:, :, : WaypointState.SIZE] = delayed[1:, :, : WaypointState.SIZE]
-    full[0] = request.start
-    return judged(request, full, pieces.after(leads.pieces), times)
-
-
-def _leads(request: Request, follow: Pieces | None, brakes: bool) -> Leads:
-    problem = request.problem
-    options = problem.options
-    axes = problem.states.shape[1]
-    apart = options.synchronize == "none" and not options.duration
-    leads = find_leads(
-        TO_PLAN, request.start, problem.states[1], problem.limits, problem.lower, options.shape,
-        follow or Pieces.none(axes, options.smoothness),
-        None if apart else options.duration or 0.0, brakes=brakes,
-    )
-    if leads.failed >= 0:
+    none = Pieces.none(problem.states.shape[1], problem.options.smoothness)
+    motion, failed = plan_onward(problem, request.start, follow or none, brakes=brakes)
+    if failed >= 0:
         # from rest the target may be refused for itself
         states = problem.states.copy()
         states[0, :, WaypointState.VELOCITY :] = 0.0
-        _phases(request, problem._replace(states=states))
-        raise no_lead(request, leads.failed)
-    return leads
+        status, report, *_ = plan_motion(problem._replace(states=states))
+        if report is not None:
+            raise _refused(request, status, report)
+        raise no_lead(request, failed)
+    return _finished(request, motion)
+
+
+def solve_behind(
+    request: Request, leads: Pieces, ends: FloatArray
+) -> tuple[Trajectory, bool]:
+    """`solve` behind given leads, which end in states (axes, DelayedState)."""
+    return _finished(request, plan_behind(request.problem, request.start, leads, ends))
+
+
+def _finished(request: Request, motion: Motion) -> tuple[Trajectory, bool]:
+    status, report, timing, coefficients, offsets, times = motion
+    if report is not None:
+        raise _refused(request, status, report)
+    found = _trajectory(request, timing, coefficients, offsets, times)
+    return found, status == PlanStatus.PLANNED
 
 
 def no_lead(request: Request, axis: int) -> InfeasibleError:
@@ -130,19 +117,6 @@ def _refused(request: Request, status: int, report: FloatArray) -> SegfmuError:
     return refusal(status, report, request.axis_names)
 
 
-def _phases(request: Request, problem: Problem) -> Phases:
-    phases = plan_phases(problem)
-    if not phases.feasible:
-        raise _refused(request, phases.status, phases.refusal)
-    return phases
-
-
-def _expand(problem: Problem, phases: Phases) -> tuple[Pieces, FloatArray]:
-    """The pieces, and the arrivals (waypoints, axes) with the ends as their last row [s]."""
-    timing, coefficients, offsets, times = expand_phases(problem, phases)
-    return Pieces(timing, coefficients, offsets), times
-
-
 def judged(
     request: Request, states: FloatArray, pieces: Pieces, times: FloatArray
 ) -> tuple[Trajectory, bool]:
@@ -150,16 +124,9 @@ def judged(
 
     states (waypoints, axes, 3 or more) are those that it has to reach at the times.
     """
-    limits, lower = request.problem.limits, request.problem.lower
-    work = np.empty((Check.SIZE, Check.COLUMNS))
-    found = states, times, pieces.timing, pieces.coefficients, pieces.offsets, limits, lower
-    wrong = backend.check_plan(*found, TOLERANCE, 0.5 * TOLERANCE, work)
-    if wrong > 0:
-        brakes = find_brakes(np.ascontiguousarray(states[0]), limits, lower)
-        if brakes.any():
-            wrong = backend.check_braked_plan(*found, brakes, TOLERANCE, 0.5 * TOLERANCE, work)
+    proved = judge_pieces(request.problem, states, pieces, times)
     timing, coefficients = pieces.timing[: pieces.used], pieces.coefficients[: pieces.used]
-    return _trajectory(request, timing, coefficients, pieces.offsets, times), wrong == 0
+    return _trajectory(request, timing, coefficients, pieces.offsets, times), proved
 
 
 def _trajectory(

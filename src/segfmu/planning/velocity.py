@@ -9,11 +9,12 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, finite_vector
 from segfmu.errors import InfeasibleError, InputError
-from segfmu.kernels.planner.records import DelayedState
+from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.planning.demands import require
-from segfmu.planning.lead import TO_VELOCITY, Leads, Pieces, find_leads, following
+from segfmu.planning.lead import Leads, find_leads, following
 from segfmu.planning.limits import Limits
 from segfmu.planning.messages import told_apart
+from segfmu.planning.pieces import Pieces
 from segfmu.planning.replanning import left, state_limits
 from segfmu.planning.request import Request, checked_request
 from segfmu.planning.solver import judged, no_lead
@@ -122,9 +123,10 @@ def reach_velocity(
 
 def _reached(request: Request, shape: str, rest: Pieces) -> Trajectory:
     """To the velocity of the last waypoint, perhaps by way of what is left of the old plan."""
+    problem = request.problem
     leads = find_leads(
-        TO_VELOCITY, request.start, request.problem.states[1], request.problem.limits,
-        request.problem.lower, shape, rest,
+        problem.states[1, :, WaypointState.VELOCITY], request.start, problem.limits, problem.lower,
+        shape, rest,
     )
     if leads.failed >= 0:
         raise no_lead(request, leads.failed)

@@ -36,7 +36,7 @@ def leads(
     follow: tuple[FloatArray, FloatArray, np.ndarray] = NONE, brakes: float = 1.0,
 ) -> Found:
     work = np.zeros((LeadWork.SIZE, LeadWork.COLUMNS))
-    work[LeadWork.TASK, : LeadTask.SIZE] = order, meeting, 1.0, brakes
+    work[LeadWork.TASK, : LeadTask.BRAKES + 1] = order, meeting, 1.0, brakes
     axes = len(now)
     rows = len(follow[0]) + axes * LeadRows.PIECES + LeadRows.ALL
     found = np.full((rows, 2), np.nan), np.full((rows, 8), np.nan), np.zeros(axes + 1, np.int64)

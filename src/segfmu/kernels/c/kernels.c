@@ -41,6 +41,8 @@ static bool check_piece(int64_t order, int64_t row, bool joined, double length, 
 static bool check_axis(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d limits, array_double_1d lower, double tolerance, double joints, array_double_2d work);
 static double switching_time(double time, double duration, array_double_2d timing, int64_t row);
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+static int64_t check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
+static int64_t check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static double least_depth(void);
 static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
@@ -882,14 +884,14 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void clear_search(array_double_2d lead);
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
 static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
 static int64_t latest_axis(array_double_2d ends);
 static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 static void pack_leads(array_int64_t_1d plan_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
-static void clear_lead(array_double_2d lead);
-static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead);
+static void lead_to_velocity(array_double_2d lead);
 static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static void set_motion(array_double_2d operation, array_double_3d states);
 static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
@@ -965,15 +967,19 @@ static void shift_piece(array_double_2d coefficients, int64_t source, double t, 
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
+static int64_t expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
+static void lead_to_plan(array_double_2d lead);
+static bool join_behind(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);
+static void set_delayed(array_double_3d states);
+static int64_t finish_plan(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);
 static void set_place(array_double_2d operation, array_double_3d states);
 static void set_ends(array_double_2d operation, array_double_3d states);
-static void set_options(array_double_2d known, array_double_2d work);
+static void set_options(array_double_2d known, array_double_2d lead, array_double_2d work);
 static double coming_velocity(int64_t axis, array_double_2d operation, array_double_2d limits);
 static bool is_too_fast(array_double_2d operation, array_double_3d limits);
 static void end_ways_at_target(array_double_2d operation);
-static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
+static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
-static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static void open_ways(array_double_2d operation, array_double_2d known);
 static bool are_ways_kept(array_double_2d operation);
@@ -2196,7 +2202,7 @@ static bool check_motion(int64_t axis, array_double_3d states, array_double_2d t
         point = span_min_int(j, points - INT64_C(1));
         row = find_piece((*cspan_at(&times, j, axis)), timing, first, last);
         local = switching_time((*cspan_at(&times, j, axis)), (*cspan_at(&times, points, axis)), timing, row);
-        for (d = INT64_C(0); d < states.shape[INT64_C(2)]; d += INT64_C(1))
+        for (d = INT64_C(0); d < span_min_int(states.shape[INT64_C(2)], limits.shape[INT64_C(1)]); d += INT64_C(1))
         {
             value = evaluate_piece(coefficients, row, width, local, d);
             scale = (*cspan_at(&work, INT64_C(41), d));
@@ -2212,7 +2218,7 @@ static bool check_motion(int64_t axis, array_double_3d states, array_double_2d t
     }
     return 1;
 }
-int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
+static int64_t check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work)
 {
     int64_t axis;
     keep_inside(work);
@@ -2225,7 +2231,7 @@ int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_d
     }
     return INT64_C(0);
 }
-int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work)
+static int64_t check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work)
 {
     int64_t axis;
     int64_t i;
@@ -13934,7 +13940,7 @@ static double most_speed(int64_t axis, double sense, double share, double interv
     double result;
     most = most_change(axis, 1.0, share, interval, known);
     most = most + most_change(axis, -1.0, share, interval, known);
-    most = fabs((*cspan_at(&work, INT64_C(141) + axis, INT64_C(1)))) + INT64_C(102) * most;
+    most = fabs((*cspan_at(&work, INT64_C(140) + axis, INT64_C(1)))) + INT64_C(102) * most;
     result = control_bound(INT64_C(3) + axis, sense, share, most, known);
     return result;
 }
@@ -13944,7 +13950,7 @@ static void decline_line(int64_t axis, array_double_2d work)
     int64_t begin;
     int64_t last;
     int64_t i;
-    points = span_row(&work, INT64_C(141) + axis);
+    points = span_row(&work, INT64_C(140) + axis);
     begin = INT64_C(3) - INT64_C(1);
     last = INT64_C(99);
     for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
@@ -13960,7 +13966,7 @@ static bool is_inside_bounds(int64_t axis, double share, double interval, array_
     double rise;
     double fall;
     int64_t i;
-    points = span_row(&work, INT64_C(141) + axis);
+    points = span_row(&work, INT64_C(140) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -13987,10 +13993,10 @@ static void write_conditions(double interval, array_double_2d work)
     {
         for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
         {
-            moment = span_row(&work, INT64_C(144) + j);
-            (*cspan_at(&work, INT64_C(146) + j, i)) = (*cspan_at(&moment, i - INT64_C(1))) - (*cspan_at(&moment, i));
+            moment = span_row(&work, INT64_C(143) + j);
+            (*cspan_at(&work, INT64_C(145) + j, i)) = (*cspan_at(&moment, i - INT64_C(1))) - (*cspan_at(&moment, i));
         }
-        (*cspan_at(&work, INT64_C(146) + INT64_C(2), i)) = interval;
+        (*cspan_at(&work, INT64_C(145) + INT64_C(2), i)) = interval;
     }
 }
 static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work)
@@ -14001,8 +14007,8 @@ static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d wo
     left = aim;
     for (i = INT64_C(0); i < INT64_C(102) - INT64_C(1); i += INT64_C(1))
     {
-        change = (*cspan_at(&work, INT64_C(141) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(141) + axis, i));
-        left = left - (*cspan_at(&work, INT64_C(144) + j, i)) * change;
+        change = (*cspan_at(&work, INT64_C(140) + axis, i + INT64_C(1))) - (*cspan_at(&work, INT64_C(140) + axis, i));
+        left = left - (*cspan_at(&work, INT64_C(143) + j, i)) * change;
     }
     return left;
 }
@@ -14011,7 +14017,7 @@ static double place_left(double aim, int64_t axis, double interval, array_double
     array_double_1d points;
     int64_t i;
     double left;
-    points = span_row(&work, INT64_C(141) + axis);
+    points = span_row(&work, INT64_C(140) + axis);
     left = aim - interval * ((*cspan_at(&points, INT64_C(0))) + 12.0 * (*cspan_at(&points, INT64_C(1))) + 23.0 * (*cspan_at(&points, INT64_C(2)))) / 24.0;
     for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
@@ -14033,7 +14039,7 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
     double under;
     double slope_behind;
     double curve_behind;
-    points = span_row(&work, INT64_C(141) + axis);
+    points = span_row(&work, INT64_C(140) + axis);
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -14048,9 +14054,9 @@ static void write_barrier(int64_t axis, double share, double interval, array_dou
         curve_behind = over * over + under * under;
         over = 1.0 / (fastest - (*cspan_at(&points, i)));
         under = 1.0 / (slowest + (*cspan_at(&points, i)));
-        (*cspan_at(&work, INT64_C(152), i)) = slope_behind - slope - over + under;
-        (*cspan_at(&work, INT64_C(149), i)) = curve + curve_behind + over * over + under * under;
-        (*cspan_at(&work, INT64_C(150), i)) = -curve_behind;
+        (*cspan_at(&work, INT64_C(151), i)) = slope_behind - slope - over + under;
+        (*cspan_at(&work, INT64_C(148), i)) = curve + curve_behind + over * over + under * under;
+        (*cspan_at(&work, INT64_C(149), i)) = -curve_behind;
         slope = slope_behind;
         curve = curve_behind;
     }
@@ -14063,18 +14069,18 @@ static void solve_barrier(int64_t first, int64_t last, array_double_2d work)
     double ratio;
     int64_t k;
     double coupling;
-    change = span_rows(&work, INT64_C(152), INT64_C(156));
+    change = span_rows(&work, INT64_C(151), INT64_C(155));
     for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
     {
         for (j = first; j < last; j += INT64_C(1))
         {
-            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(146) + j, i));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = (*cspan_at(&work, INT64_C(145) + j, i));
         }
     }
     for (i = INT64_C(3) + INT64_C(1); i < INT64_C(99); i += INT64_C(1))
     {
-        ratio = (*cspan_at(&work, INT64_C(150), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(149), i - INT64_C(1)));
-        (*cspan_at(&work, INT64_C(149), i)) = (*cspan_at(&work, INT64_C(149), i)) - ratio * (*cspan_at(&work, INT64_C(150), i - INT64_C(1)));
+        ratio = (*cspan_at(&work, INT64_C(149), i - INT64_C(1))) / (*cspan_at(&work, INT64_C(148), i - INT64_C(1)));
+        (*cspan_at(&work, INT64_C(148), i)) = (*cspan_at(&work, INT64_C(148), i)) - ratio * (*cspan_at(&work, INT64_C(149), i - INT64_C(1)));
         (*cspan_at(&change, INT64_C(0), i)) = (*cspan_at(&change, INT64_C(0), i)) - ratio * (*cspan_at(&change, INT64_C(0), i - INT64_C(1)));
         for (j = first; j < last; j += INT64_C(1))
         {
@@ -14084,15 +14090,15 @@ static void solve_barrier(int64_t first, int64_t last, array_double_2d work)
     for (k = INT64_C(3); k < INT64_C(99); k += INT64_C(1))
     {
         i = INT64_C(99) + INT64_C(3) - INT64_C(1) - k;
-        coupling = (*cspan_at(&work, INT64_C(150), i));
+        coupling = (*cspan_at(&work, INT64_C(149), i));
         if (k == INT64_C(3))
         {
             coupling = 0.0;
         }
-        (*cspan_at(&change, INT64_C(0), i)) = ((*cspan_at(&change, INT64_C(0), i)) - coupling * (*cspan_at(&change, INT64_C(0), i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(149), i));
+        (*cspan_at(&change, INT64_C(0), i)) = ((*cspan_at(&change, INT64_C(0), i)) - coupling * (*cspan_at(&change, INT64_C(0), i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(148), i));
         for (j = first; j < last; j += INT64_C(1))
         {
-            (*cspan_at(&change, INT64_C(1) + j, i)) = ((*cspan_at(&change, INT64_C(1) + j, i)) - coupling * (*cspan_at(&change, INT64_C(1) + j, i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(149), i));
+            (*cspan_at(&change, INT64_C(1) + j, i)) = ((*cspan_at(&change, INT64_C(1) + j, i)) - coupling * (*cspan_at(&change, INT64_C(1) + j, i + INT64_C(1)))) / (*cspan_at(&work, INT64_C(148), i));
         }
     }
 }
@@ -14106,12 +14112,12 @@ static double join_changes(int64_t first, int64_t last, array_double_2d work)
     int64_t k;
     int64_t i;
     double largest;
-    change = span_rows(&work, INT64_C(152), INT64_C(156));
-    schur = span_rows(&work, INT64_C(156), INT64_C(159));
-    lack = span_rows(&work, INT64_C(159), INT64_C(162));
+    change = span_rows(&work, INT64_C(151), INT64_C(155));
+    schur = span_rows(&work, INT64_C(155), INT64_C(158));
+    lack = span_rows(&work, INT64_C(158), INT64_C(161));
     for (j = first; j < last; j += INT64_C(1))
     {
-        slopes = span_row(&work, INT64_C(146) + j);
+        slopes = span_row(&work, INT64_C(145) + j);
         for (k = first; k < last; k += INT64_C(1))
         {
             (*cspan_at(&schur, j - first, k - first)) = 0.0;
@@ -14158,8 +14164,8 @@ static double way_to_bounds(int64_t axis, double share, double interval, array_d
     int64_t i;
     double moved;
     double step;
-    points = span_row(&work, INT64_C(141) + axis);
-    change = span_row(&work, INT64_C(152));
+    points = span_row(&work, INT64_C(140) + axis);
+    change = span_row(&work, INT64_C(151));
     fastest = most_speed(axis, 1.0, share, interval, known, work);
     slowest = most_speed(axis, -1.0, share, interval, known, work);
     rise = most_change(axis, 1.0, share, interval, known);
@@ -14203,11 +14209,11 @@ static bool find_centre(int64_t axis, double share, double interval, int64_t fir
         {
             if (j < INT64_C(2))
             {
-                (*cspan_at(&work, INT64_C(159) + j - first, INT64_C(0))) = swing_left(j, (*cspan_at(&aims, j)), axis, work);
+                (*cspan_at(&work, INT64_C(158) + j - first, INT64_C(0))) = swing_left(j, (*cspan_at(&aims, j)), axis, work);
             }
             else
             {
-                (*cspan_at(&work, INT64_C(159) + j - first, INT64_C(0))) = place_left((*cspan_at(&aims, j)), axis, interval, work);
+                (*cspan_at(&work, INT64_C(158) + j - first, INT64_C(0))) = place_left((*cspan_at(&aims, j)), axis, interval, work);
             }
         }
         largest = join_changes(first, last, work);
@@ -14218,7 +14224,7 @@ static bool find_centre(int64_t axis, double share, double interval, int64_t fir
         }
         for (i = INT64_C(3); i < INT64_C(99); i += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(141) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i)) + step * (*cspan_at(&work, INT64_C(152), i));
+            (*cspan_at(&work, INT64_C(140) + axis, i)) = (*cspan_at(&work, INT64_C(140) + axis, i)) + step * (*cspan_at(&work, INT64_C(151), i));
         }
         if (step == 1.0)
         {
@@ -15317,15 +15323,15 @@ static void expand_swing(double gravity, array_double_1d swing, array_double_2d 
     int64_t i;
     double product;
     double value;
-    series = span_rows(&work, INT64_C(134), INT64_C(137));
-    square = span_row(&work, INT64_C(138));
+    series = span_rows(&work, INT64_C(133), INT64_C(136));
+    square = span_row(&work, INT64_C(137));
     write_square(swing, square);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&series, axis, INT64_C(0))) = (*cspan_at(&swing, INT64_C(20) + axis));
         (*cspan_at(&series, axis, INT64_C(1))) = (*cspan_at(&swing, INT64_C(23) + axis));
     }
-    pull = span_row(&work, INT64_C(137));
+    pull = span_row(&work, INT64_C(136));
     for (k = INT64_C(0); k < INT64_C(14) - INT64_C(2); k += INT64_C(1))
     {
         found = (-0.5) * (k + INT64_C(1)) * (k + INT64_C(2)) * (*cspan_at(&square, k + INT64_C(2)));
@@ -15398,7 +15404,7 @@ static void move_swing(double step, array_double_1d swing, array_double_2d work)
     double mean;
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
-        series = span_row(&work, INT64_C(134) + axis);
+        series = span_row(&work, INT64_C(133) + axis);
         place = 0.0;
         rate = 0.0;
         for (j = INT64_C(0); j < INT64_C(14); j += INT64_C(1))
@@ -15526,7 +15532,7 @@ static void write_swing_piece(int64_t axis, int64_t row, double before, array_do
     width = coefficients.shape[INT64_C(2)];
     for (i = INT64_C(0); i < width; i += INT64_C(1))
     {
-        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(134) + axis, i));
+        (*cspan_at(&coefficients, INT64_C(4), row, i)) = (*cspan_at(&work, INT64_C(133) + axis, i));
     }
     if (axis < INT64_C(2))
     {
@@ -15621,7 +15627,7 @@ static void set_control_start(double interval, array_double_1d swing, array_doub
         for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
         {
             since = i - 1.0;
-            (*cspan_at(&work, INT64_C(141) + axis, i)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
+            (*cspan_at(&work, INT64_C(140) + axis, i)) = (*cspan_at(&swing, INT64_C(5) + axis)) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
         }
     }
 }
@@ -15674,7 +15680,7 @@ static int64_t interval_parts(double longest, double interval, array_double_2d o
     shortest = length;
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        points = span_row(&work, INT64_C(141) + INT64_C(2));
+        points = span_row(&work, INT64_C(140) + INT64_C(2));
         inner = (*cspan_at(&points, k + INT64_C(1))) + (*cspan_at(&points, k + INT64_C(2)));
         last = k + INT64_C(3);
         length = length + interval * ((*cspan_at(&points, k)) + 11.0 * inner + (*cspan_at(&points, last))) / 24.0;
@@ -15758,26 +15764,26 @@ static double run_controlled(double interval, array_double_2d operation, array_d
     {
         for (k = INT64_C(0); k < INT64_C(102); k += INT64_C(1))
         {
-            (*cspan_at(&work, INT64_C(144) + j, k)) = 0.0;
+            (*cspan_at(&work, INT64_C(143) + j, k)) = 0.0;
         }
-        (*cspan_at(&work, INT64_C(139) + j, INT64_C(0))) = 1.0 - j;
-        (*cspan_at(&work, INT64_C(139) + j, INT64_C(1))) = j * swing_frequency(gravity, ahead);
+        (*cspan_at(&work, INT64_C(138) + j, INT64_C(0))) = 1.0 - j;
+        (*cspan_at(&work, INT64_C(138) + j, INT64_C(1))) = j * swing_frequency(gravity, ahead);
     }
     parts = interval_parts(0.3, interval, operation, gravity, work);
     step = interval / parts;
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, span_rows(&work, INT64_C(141), INT64_C(144)));
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(140), INT64_C(143)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
-            if (!((*cspan_at(&work, INT64_C(137), INT64_C(0))) > 0.0))
+            if (!((*cspan_at(&work, INT64_C(136), INT64_C(0))) > 0.0))
             {
                 return 1e+300;
             }
             for (j = INT64_C(0); j < INT64_C(2); j += INT64_C(1))
             {
-                add_moments(k, i * step, step, interval, span_row(&work, INT64_C(144) + j), span_row(&work, INT64_C(139) + j), span_row(&work, INT64_C(137)));
+                add_moments(k, i * step, step, interval, span_row(&work, INT64_C(143) + j), span_row(&work, INT64_C(138) + j), span_row(&work, INT64_C(136)));
             }
             move_swing(step, ahead, work);
         }
@@ -15822,7 +15828,7 @@ static void write_controlled(double interval, array_double_2d operation, array_d
     count = INT64_C(0);
     for (k = INT64_C(0); k < INT64_C(99); k += INT64_C(1))
     {
-        set_knot(k, interval, ahead, span_rows(&work, INT64_C(141), INT64_C(144)));
+        set_knot(k, interval, ahead, span_rows(&work, INT64_C(140), INT64_C(143)));
         for (i = INT64_C(0); i < parts; i += INT64_C(1))
         {
             expand_swing(gravity, ahead, work);
@@ -15908,7 +15914,7 @@ static void write_load(double begin, double end, array_double_2d timing, array_d
     width = coefficients.shape[INT64_C(1)];
     middle = 0.5 * (begin + end);
     radius = 0.5 * (end - begin);
-    piece = span_row(&work, INT64_C(89));
+    piece = span_row(&work, INT64_C(88));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         last = (*cspan_at(&offsets, axis + INT64_C(1)));
@@ -15932,7 +15938,7 @@ static void write_load(double begin, double end, array_double_2d timing, array_d
         }
         for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
         {
-            place = INT64_C(90) + INT64_C(0) + INT64_C(3) * order + axis;
+            place = INT64_C(89) + INT64_C(0) + INT64_C(3) * order + axis;
             write_derivative(order, width, radius, piece, span_row(&work, place));
         }
     }
@@ -16083,7 +16089,7 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
     array_double_1d pull;
     int64_t axis;
     write_load(begin, end, timing, coefficients, offsets, work);
-    reach = span_rows(&work, INT64_C(90), INT64_C(170));
+    reach = span_rows(&work, INT64_C(89), INT64_C(169));
     pull = span_row(&reach, INT64_C(15));
     set_range((*cspan_at(&crane, INT64_C(3))), 0.0, pull);
     add_range(1.0, span_row(&reach, INT64_C(6) + INT64_C(2)), pull);
@@ -16117,7 +16123,7 @@ static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, 
     rounding = 1.0 + 1e-09;
     for (i = first; i < last; i += INT64_C(1))
     {
-        demand = span_row(&work, INT64_C(90) + INT64_C(27) + i);
+        demand = span_row(&work, INT64_C(89) + INT64_C(27) + i);
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             bound = bound_magnitude(i, side, bounds) * rounding;
@@ -16293,7 +16299,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
             (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
         }
     }
-    result = segfmu_check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(306), INT64_C(354))) == INT64_C(0);
+    result = check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(308), INT64_C(356))) == INT64_C(0);
     return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
@@ -16347,7 +16353,7 @@ static bool brake_hoist(double share, double interval, array_double_2d known, ar
     double fall;
     double rise;
     bool result;
-    points = span_row(&work, INT64_C(141) + INT64_C(2));
+    points = span_row(&work, INT64_C(140) + INT64_C(2));
     for (i = INT64_C(3); i < INT64_C(102); i += INT64_C(1))
     {
         fall = most_change(INT64_C(2), -1.0, share, interval, known);
@@ -16365,7 +16371,7 @@ static void set_way(int64_t axis, array_double_2d operation, array_double_2d wor
     {
         sense = -1.0;
     }
-    (*cspan_at(&work, INT64_C(151), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(32), INT64_C(2) + axis));
+    (*cspan_at(&work, INT64_C(150), INT64_C(2))) = sense * (*cspan_at(&operation, INT64_C(1), INT64_C(1) + axis)) - (*cspan_at(&operation, INT64_C(32), INT64_C(2) + axis));
 }
 static int64_t most_runs(void)
 {
@@ -16383,7 +16389,7 @@ static bool calms_within(double duration, double share, array_double_2d operatio
     int64_t Dummy_0000;
     double angle;
     swing = span_row(&operation, INT64_C(32));
-    aims = span_row(&work, INT64_C(151));
+    aims = span_row(&work, INT64_C(150));
     last = INT64_C(2);
     interval = duration / INT64_C(99);
     frequency = swing_frequency((*cspan_at(&known, INT64_C(0), INT64_C(3))), swing);
@@ -16460,7 +16466,7 @@ static double least_time(double share, array_double_2d operation, array_double_2
         if ((*cspan_at(&operation, INT64_C(1), INT64_C(0))) > 0.5)
         {
             set_way(axis, operation, work);
-            way = (*cspan_at(&work, INT64_C(151), INT64_C(2)));
+            way = (*cspan_at(&work, INT64_C(150), INT64_C(2)));
             fastest = control_bound(INT64_C(3) + axis, way, share, 0.0, known);
             if (fastest > 0.0)
             {
@@ -16547,7 +16553,7 @@ static int64_t plan_calm(array_double_2d operation, array_double_2d known, array
 }
 static void invert_flat(array_double_2d known, array_double_2d work)
 {
-    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(162), INT64_C(167)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(167)), span_row(&work, INT64_C(168)), span_row(&work, INT64_C(169)));
+    segfmu_crane_flat_inverse(span_rows(&work, INT64_C(161), INT64_C(166)), span_row(&known, INT64_C(0)), span_row(&work, INT64_C(166)), span_row(&work, INT64_C(167)), span_row(&work, INT64_C(168)));
 }
 static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work)
 {
@@ -16556,7 +16562,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
     int64_t axis;
     int64_t order;
     array_double_1d state;
-    flat = span_rows(&work, INT64_C(162), INT64_C(167));
+    flat = span_rows(&work, INT64_C(161), INT64_C(166));
     swing = span_row(&operation, INT64_C(32));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -16566,7 +16572,7 @@ static void note_swing(array_double_2d operation, array_double_2d known, array_d
         }
     }
     invert_flat(known, work);
-    state = span_row(&work, INT64_C(168));
+    state = span_row(&work, INT64_C(167));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         (*cspan_at(&swing, INT64_C(2) + axis)) = (*cspan_at(&state, INT64_C(0) + axis));
@@ -16657,7 +16663,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     int64_t drive;
     double force;
     double power;
-    if (!((*cspan_at(&work, INT64_C(137), INT64_C(0))) > 0.0))
+    if (!((*cspan_at(&work, INT64_C(136), INT64_C(0))) > 0.0))
     {
         return 0;
     }
@@ -16665,14 +16671,14 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
     {
         return 0;
     }
-    flat = span_rows(&work, INT64_C(162), INT64_C(167));
+    flat = span_rows(&work, INT64_C(161), INT64_C(166));
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         factorial = 1.0;
         for (order = INT64_C(0); order < INT64_C(5); order += INT64_C(1))
         {
             factorial = factorial * span_max_int(order, INT64_C(1));
-            (*cspan_at(&flat, order, axis)) = factorial * (*cspan_at(&work, INT64_C(134) + axis, order));
+            (*cspan_at(&flat, order, axis)) = factorial * (*cspan_at(&work, INT64_C(133) + axis, order));
         }
         if (axis < INT64_C(2))
         {
@@ -16688,7 +16694,7 @@ static bool is_bearable(array_double_1d swing, array_double_2d known, array_doub
         {
             continue;
         }
-        force = (*cspan_at(&work, INT64_C(167), drive));
+        force = (*cspan_at(&work, INT64_C(166), drive));
         power = force * (*cspan_at(&swing, INT64_C(5) + drive));
         if (!is_inside(force, INT64_C(0) + drive, known))
         {
@@ -17139,7 +17145,7 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
         }
         for (i = INT64_C(0); i < INT64_C(102); i += INT64_C(1))
         {
-            (*cspan_at(&operation, INT64_C(35) + axis, i)) = (*cspan_at(&work, INT64_C(141) + axis, i));
+            (*cspan_at(&operation, INT64_C(35) + axis, i)) = (*cspan_at(&work, INT64_C(140) + axis, i));
         }
     }
     (*cspan_at(&swing, INT64_C(0))) = 0.0;
@@ -17822,18 +17828,18 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     array_double_1d state;
     int64_t i;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(53));
-    state = span_row(&lead, INT64_C(9));
+    axis = span_row(&lead, INT64_C(55));
+    state = span_row(&lead, INT64_C(12));
     segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(54)), axis);
+    set_lower(span_row(&lead, INT64_C(56)), axis);
     for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(0), i))));
+            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(3), i))));
         }
     }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(55), INT64_C(62))))
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(57), INT64_C(64))))
     {
         return 0;
     }
@@ -17843,31 +17849,31 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     }
     for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(16), i)) = rounding_error(i, limits);
         if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
         {
-            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(0), i));
+            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(3), i));
         }
     }
-    chain_limits(steep, axis, state, span_row(&lead, INT64_C(12)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(12)), span_rows(&lead, INT64_C(55), INT64_C(62)));
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(15)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(15)), span_rows(&lead, INT64_C(57), INT64_C(64)));
     for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = -(*cspan_at(&lead, INT64_C(12), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = -(*cspan_at(&lead, INT64_C(15), i));
         if (i <= INT64_C(2))
         {
-            (*cspan_at(&lead, INT64_C(5), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(8), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
         }
-        (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&lead, INT64_C(12), i));
+        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(15), i));
     }
     return 1;
 }
 static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
 {
     double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(54), order - INT64_C(1))) > 0.0))
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(56), order - INT64_C(1))) > 0.0))
     {
-        result = (*cspan_at(&lead, INT64_C(54), order - INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(56), order - INT64_C(1)));
         return result;
     }
     result = (*cspan_at(&limits, order - INT64_C(1)));
@@ -17880,7 +17886,7 @@ static bool is_outside(array_double_1d limits, array_double_2d lead)
     double bound;
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        value = (*cspan_at(&lead, INT64_C(0), i));
+        value = (*cspan_at(&lead, INT64_C(3), i));
         bound = (*cspan_at(&limits, i - INT64_C(1)));
         if (value < 0.0)
         {
@@ -25523,12 +25529,12 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d chain;
     array_double_1d problem;
     int64_t result;
-    state = span_row(&lead, INT64_C(9));
-    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    state = span_row(&lead, INT64_C(12));
+    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(55) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(57) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -25537,15 +25543,15 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(55) + order);
+    chain = span_row(&lead, INT64_C(57) + order);
     if (free)
     {
         result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(19));
+    problem = span_row(&lead, INT64_C(21));
     set_stage_problem(order, end, state, problem);
-    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25560,15 +25566,15 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     array_double_2d phases;
     int64_t i;
     int64_t last;
-    state = span_row(&lead, INT64_C(9));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    state = span_row(&lead, INT64_C(12));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(55) + seen);
+    chain = span_row(&lead, INT64_C(57) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(302), INT64_C(306));
+    expansion = span_rows(&lead, INT64_C(304), INT64_C(308));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -25576,7 +25582,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     third = seen + INT64_C(3);
     (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
+    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -25597,7 +25603,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     double end;
     int64_t count;
     int64_t result;
-    end = (*cspan_at(&lead, INT64_C(14), order));
+    end = (*cspan_at(&lead, INT64_C(17), order));
     count = stage_phases(order, end, end >= 1e+300, lead);
     result = append_phases(order, end, count, row, lead, timing, coefficients);
     return result;
@@ -25607,15 +25613,15 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     array_double_1d state;
     int64_t i;
     double aim;
-    state = span_row(&lead, INT64_C(9));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    state = span_row(&lead, INT64_C(12));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(14), i)) < 1e+300))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(17), i)) < 1e+300))
         {
-            aim = (*cspan_at(&lead, INT64_C(14), i));
+            aim = (*cspan_at(&lead, INT64_C(17), i));
         }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(13), i)))
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(16), i)))
         {
             (*cspan_at(&state, i)) = aim;
         }
@@ -25626,10 +25632,10 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(8), i));
+        (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(11), i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
@@ -25649,7 +25655,7 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     row = settle_above(order, row, lead, timing, coefficients);
-    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
+    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))))))
     {
         row = run_stage(order, row, lead, timing, coefficients);
     }
@@ -25659,8 +25665,8 @@ static double outside_by(double value, int64_t order, array_double_2d lead)
 {
     double low;
     double high;
-    low = (*cspan_at(&lead, INT64_C(5), order));
-    high = (*cspan_at(&lead, INT64_C(6), order));
+    low = (*cspan_at(&lead, INT64_C(8), order));
+    high = (*cspan_at(&lead, INT64_C(9), order));
     return span_max(value - high, low - value) - 1e-13 * (high - low);
 }
 static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25669,8 +25675,8 @@ static int64_t hold_highest(double value, double length, int64_t row, array_doub
     int64_t smoothness;
     double factorial;
     int64_t i;
-    state = span_row(&lead, INT64_C(9));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    state = span_row(&lead, INT64_C(12));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
     if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
@@ -25706,17 +25712,17 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     double length;
     int64_t i;
     int64_t result;
-    state = span_row(&lead, INT64_C(9));
+    state = span_row(&lead, INT64_C(12));
     if (row < INT64_C(0))
     {
         return -INT64_C(1);
     }
-    if (order == (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
     {
-        top = (*cspan_at(&lead, INT64_C(6), order + INT64_C(1)));
+        top = (*cspan_at(&lead, INT64_C(9), order + INT64_C(1)));
         if (end < (*cspan_at(&state, order)))
         {
-            top = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+            top = (*cspan_at(&lead, INT64_C(8), order + INT64_C(1)));
         }
         length = (end - (*cspan_at(&state, order))) / top;
         row = hold_highest(top, length, row, lead, timing, coefficients);
@@ -25725,10 +25731,10 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&state, i));
-        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(14), order)) = end;
+    (*cspan_at(&lead, INT64_C(17), order)) = end;
     result = settle(order, row, lead, timing, coefficients);
     return result;
 }
@@ -25737,7 +25743,7 @@ static int64_t part_hull(int64_t order, int64_t row, double start, double length
     array_double_2d check;
     int64_t width;
     array_double_1d values;
-    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
     width = coefficients.shape[INT64_C(1)];
     while((width > order + INT64_C(1)) && ((*cspan_at(&coefficients, row, width - INT64_C(1))) == 0.0))
     {
@@ -25756,7 +25762,7 @@ static bool is_hull_inside(int64_t count, double low, double high, array_double_
 {
     array_double_2d check;
     int64_t i;
-    check = span_rows(&lead, INT64_C(306), INT64_C(354));
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         if (!((low <= (*cspan_at(&check, INT64_C(0), i))) && ((*cspan_at(&check, INT64_C(0), i)) <= high)))
@@ -25774,9 +25780,9 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
     double slack;
     int64_t row;
     int64_t count;
-    check = span_rows(&lead, INT64_C(306), INT64_C(354));
-    low = (*cspan_at(&lead, INT64_C(5), order));
-    high = (*cspan_at(&lead, INT64_C(6), order));
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    low = (*cspan_at(&lead, INT64_C(8), order));
+    high = (*cspan_at(&lead, INT64_C(9), order));
     slack = 1e-10 * (high - low);
     for (row = first; row < last; row += INT64_C(1))
     {
@@ -25826,8 +25832,8 @@ static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_
     int64_t count;
     double value;
     width = coefficients.shape[INT64_C(1)];
-    low = (*cspan_at(&lead, INT64_C(5), order));
-    high = (*cspan_at(&lead, INT64_C(6), order));
+    low = (*cspan_at(&lead, INT64_C(8), order));
+    high = (*cspan_at(&lead, INT64_C(9), order));
     slack = 1e-13 * (high - low);
     for (i = INT64_C(0); i < last - first; i += INT64_C(1))
     {
@@ -25878,14 +25884,14 @@ static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2
     int64_t i;
     int64_t last;
     double far;
-    state = span_row(&lead, INT64_C(9));
-    turn = span_row(&lead, INT64_C(3));
+    state = span_row(&lead, INT64_C(12));
+    turn = span_row(&lead, INT64_C(6));
     row = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(2), i));
+        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(5), i));
     }
-    if (settled && (order + INT64_C(2) <= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))))))
+    if (settled && (order + INT64_C(2) <= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
     {
         row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
     }
@@ -25895,10 +25901,10 @@ static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2
         (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
     }
     last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
-    far = (*cspan_at(&lead, INT64_C(5), order));
+    far = (*cspan_at(&lead, INT64_C(8), order));
     if (side < 0.0)
     {
-        far = (*cspan_at(&lead, INT64_C(6), order));
+        far = (*cspan_at(&lead, INT64_C(9), order));
     }
     (*result_0) = row;
     (*result_1) = last;
@@ -25919,9 +25925,9 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     int64_t i;
     double local;
     double result;
-    state = span_row(&lead, INT64_C(9));
-    turn = span_row(&lead, INT64_C(3));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
+    state = span_row(&lead, INT64_C(12));
+    turn = span_row(&lead, INT64_C(6));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
     first = INT64_C(400);
     turn_round(&row, &last, &room, order, side, level, settled, lead, timing, coefficients);
     if (last < INT64_C(0))
@@ -25934,10 +25940,10 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     }
     if (level != 0.0)
     {
-        near = (*cspan_at(&lead, INT64_C(6), order));
+        near = (*cspan_at(&lead, INT64_C(9), order));
         if (side < 0.0)
         {
-            near = (*cspan_at(&lead, INT64_C(5), order));
+            near = (*cspan_at(&lead, INT64_C(8), order));
         }
         hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
@@ -25963,10 +25969,10 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     {
         return 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(7), INT64_C(2))) = last;
+    (*cspan_at(&lead, INT64_C(10), INT64_C(2))) = last;
     if (last == first)
     {
-        result = (*cspan_at(&lead, INT64_C(2), INT64_C(8)));
+        result = (*cspan_at(&lead, INT64_C(5), INT64_C(8)));
         return result;
     }
     result = (*cspan_at(&timing, row, INT64_C(0))) + local;
@@ -25984,8 +25990,8 @@ static void note_extremes(int64_t row, array_double_2d lead, array_double_2d tim
     int64_t count;
     int64_t i;
     double value;
-    check = span_rows(&lead, INT64_C(306), INT64_C(354));
-    report = span_row(&lead, INT64_C(7));
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    report = span_row(&lead, INT64_C(10));
     width = coefficients.shape[INT64_C(1)];
     parts = INT64_C(8);
     step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
@@ -26013,8 +26019,8 @@ static void end_brake(double until, array_double_2d lead, array_double_2d timing
     int64_t row;
     double length;
     int64_t i;
-    report = span_row(&lead, INT64_C(7));
-    reached = span_row(&lead, INT64_C(2));
+    report = span_row(&lead, INT64_C(10));
+    reached = span_row(&lead, INT64_C(5));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
     count = (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26040,7 +26046,7 @@ static void append_pieces(double until, int64_t last, array_double_2d lead, arra
     array_double_1d report;
     int64_t row;
     int64_t target;
-    report = span_row(&lead, INT64_C(7));
+    report = span_row(&lead, INT64_C(10));
     for (row = INT64_C(400); row < last; row += INT64_C(1))
     {
         target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26064,7 +26070,7 @@ static void split_brake(double until, array_double_2d lead, array_double_2d timi
     int64_t i;
     double factorial;
     double value;
-    report = span_row(&lead, INT64_C(7));
+    report = span_row(&lead, INT64_C(10));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
     last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26104,14 +26110,14 @@ static double time_inside(array_double_1d limits, array_double_2d lead, array_do
     double local;
     double until;
     first = INT64_C(2) * INT64_C(400);
-    last = first + (int64_t)((*cspan_at(&lead, INT64_C(7), INT64_C(1))));
+    last = first + (int64_t)((*cspan_at(&lead, INT64_C(10), INT64_C(1))));
     until = 0.0;
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
         if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
         {
-            (*cspan_at(&lead, INT64_C(5), i)) = -lower_limit(i, limits, lead);
-            (*cspan_at(&lead, INT64_C(6), i)) = (*cspan_at(&limits, i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(8), i)) = -lower_limit(i, limits, lead);
+            (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&limits, i - INT64_C(1)));
             inside_from(&row, &local, i, first, last, lead, timing, coefficients);
             until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
         }
@@ -26123,10 +26129,10 @@ static double level_limit(int64_t order, double side, array_double_2d lead)
     double result;
     if (side < 0.0)
     {
-        result = (*cspan_at(&lead, INT64_C(6), order + INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(9), order + INT64_C(1)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(5), order + INT64_C(1)));
+    result = (*cspan_at(&lead, INT64_C(8), order + INT64_C(1)));
     return result;
 }
 static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26147,7 +26153,7 @@ static double deepest_level(int64_t order, double side, bool settled, array_doub
     double room;
     bool crossed;
     edge = level_limit(order, side, lead);
-    near = 0.001 * ((*cspan_at(&lead, INT64_C(6), order)) - (*cspan_at(&lead, INT64_C(5), order)));
+    near = 0.001 * ((*cspan_at(&lead, INT64_C(9), order)) - (*cspan_at(&lead, INT64_C(8), order)));
     turn_round(&row, &last, &e_other, order, side, 0.0, settled, lead, timing, coefficients);
     if ((last < INT64_C(0)) || (e_other < 0.0))
     {
@@ -26240,9 +26246,9 @@ static double side_beyond(int64_t order, array_double_2d lead, array_double_2d t
     int64_t i;
     int64_t last;
     double value;
-    state = span_row(&lead, INT64_C(9));
-    reached = span_row(&lead, INT64_C(2));
-    low = (*cspan_at(&lead, INT64_C(5), order));
+    state = span_row(&lead, INT64_C(12));
+    reached = span_row(&lead, INT64_C(5));
+    low = (*cspan_at(&lead, INT64_C(8), order));
     first = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
@@ -26283,21 +26289,21 @@ static void bring_highest(array_double_2d lead, array_double_2d timing, array_do
     int64_t i;
     int64_t last;
     double until;
-    order = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))));
-    value = (*cspan_at(&lead, INT64_C(2), order));
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(5), order))), (*cspan_at(&lead, INT64_C(6), order)));
+    order = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    value = (*cspan_at(&lead, INT64_C(5), order));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(8), order))), (*cspan_at(&lead, INT64_C(9), order)));
     if (outside_by(value, order, lead) > 0.0)
     {
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
         {
-            (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(2), i));
+            (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(5), i));
         }
         last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
+        until = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
         append_pieces(until, last, lead, timing, coefficients);
-        (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = until;
+        (*cspan_at(&lead, INT64_C(10), INT64_C(0))) = until;
     }
-    (*cspan_at(&lead, INT64_C(2), order)) = end;
+    (*cspan_at(&lead, INT64_C(5), order)) = end;
 }
 static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -26310,14 +26316,14 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     int64_t last;
     double until;
     first = INT64_C(400);
-    reached = span_row(&lead, INT64_C(2));
-    state = span_row(&lead, INT64_C(9));
+    reached = span_row(&lead, INT64_C(5));
+    state = span_row(&lead, INT64_C(12));
     value = (*cspan_at(&reached, order));
     if (!(outside_by(value, order, lead) > 0.0))
     {
         return 0;
     }
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(5), order))), (*cspan_at(&lead, INT64_C(6), order)));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(8), order))), (*cspan_at(&lead, INT64_C(9), order)));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
@@ -26327,7 +26333,7 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     {
         return 0;
     }
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
     {
         if (!stays_inside(i, first, last, lead, timing, coefficients))
         {
@@ -26336,13 +26342,13 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     }
     until = (*cspan_at(&state, INT64_C(8)));
     append_pieces(until, last, lead, timing, coefficients);
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         (*cspan_at(&reached, i)) = 0.0;
     }
     (*cspan_at(&reached, order)) = end;
-    (*cspan_at(&lead, INT64_C(7), INT64_C(0))) = until;
-    (*cspan_at(&lead, INT64_C(4), order)) = until;
+    (*cspan_at(&lead, INT64_C(10), INT64_C(0))) = until;
+    (*cspan_at(&lead, INT64_C(7), order)) = until;
     return 1;
 }
 static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26357,10 +26363,10 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     int64_t i;
     double start;
     double low;
-    report = span_row(&lead, INT64_C(7));
-    reached = span_row(&lead, INT64_C(2));
+    report = span_row(&lead, INT64_C(10));
+    reached = span_row(&lead, INT64_C(5));
     gentle = (*cspan_at(&report, INT64_C(3) + order));
-    (*cspan_at(&lead, INT64_C(4), order)) = 0.0;
+    (*cspan_at(&lead, INT64_C(7), order)) = 0.0;
     if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
     {
         return 1;
@@ -26400,7 +26406,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     if (time > start)
     {
         (*cspan_at(&report, INT64_C(0))) = time;
-        (*cspan_at(&lead, INT64_C(4), order)) = time;
+        (*cspan_at(&lead, INT64_C(7), order)) = time;
     }
     else if (!whole)
     {
@@ -26413,14 +26419,14 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
     for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
     {
-        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
         {
             if (whole && (i > order))
             {
                 (*cspan_at(&reached, i)) = 0.0;
             }
-            low = (*cspan_at(&lead, INT64_C(5), i));
-            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(6), i)));
+            low = (*cspan_at(&lead, INT64_C(8), i));
+            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(9), i)));
         }
     }
     return 1;
@@ -26429,10 +26435,10 @@ static void clip_reached(array_double_2d lead)
 {
     int64_t i;
     double value;
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        value = span_max((*cspan_at(&lead, INT64_C(2), i)), (*cspan_at(&lead, INT64_C(5), i)));
-        (*cspan_at(&lead, INT64_C(2), i)) = span_min(value, (*cspan_at(&lead, INT64_C(6), i)));
+        value = span_max((*cspan_at(&lead, INT64_C(5), i)), (*cspan_at(&lead, INT64_C(8), i)));
+        (*cspan_at(&lead, INT64_C(5), i)) = span_min(value, (*cspan_at(&lead, INT64_C(9), i)));
     }
 }
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26444,7 +26450,7 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
     int64_t order;
     int64_t result;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    report = span_row(&lead, INT64_C(7));
+    report = span_row(&lead, INT64_C(10));
     (*cspan_at(&report, INT64_C(0))) = 0.0;
     (*cspan_at(&report, INT64_C(1))) = 0.0;
     if (!set_box(steep, loose, limits, lead))
@@ -26453,7 +26459,7 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(2), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(3), i));
     }
     bring_highest(lead, timing, coefficients);
     let_go = whole || (loose <= smoothness);
@@ -26504,7 +26510,7 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
     for (i = INT64_C(0); i < highest; i += INT64_C(1))
     {
         count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(7), INT64_C(0)));
+        until = (*cspan_at(&lead, INT64_C(10), INT64_C(0)));
         if ((count >= INT64_C(0)) && (until == 0.0))
         {
             (*result_0_0001) = steep;
@@ -26547,7 +26553,7 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     {
         return -INT64_C(1);
     }
-    report = span_row(&lead, INT64_C(7));
+    report = span_row(&lead, INT64_C(10));
     for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
     {
         (*cspan_at(&report, i)) = 0.0;
@@ -26562,7 +26568,7 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
     {
         order = smoothness - i;
-        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(0), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
+        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(3), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
         {
             best_steepness(&steep, &until, order, whole, limits, lead, timing, coefficients);
             if ((steep > 0.0) && (until < 0.5 * best))
@@ -26585,7 +26591,7 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
     for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
     {
-        inside = (*cspan_at(&lead, INT64_C(4), order));
+        inside = (*cspan_at(&lead, INT64_C(7), order));
         gentle = (*cspan_at(&report, INT64_C(3) + order));
         if ((0.0 < inside) && (inside < (*cspan_at(&report, INT64_C(0)))))
         {
@@ -26669,7 +26675,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(55) + seen, INT64_C(38))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(57) + seen, INT64_C(38))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -26681,10 +26687,10 @@ static double lead_end(int64_t order, array_double_2d lead)
     double result;
     if (order == INT64_C(1))
     {
-        result = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
+        result = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(18), INT64_C(4)));
+    result = (*cspan_at(&lead, INT64_C(20), INT64_C(4)));
     return result;
 }
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26703,17 +26709,17 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     int64_t count;
     int64_t third;
     int64_t result;
-    state = span_row(&lead, INT64_C(9));
-    level = span_row(&lead, INT64_C(10));
+    state = span_row(&lead, INT64_C(12));
+    level = span_row(&lead, INT64_C(13));
     seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(55) + seen);
-    problem = span_row(&lead, INT64_C(19));
-    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
-    plan = span_rows(&lead, INT64_C(62), INT64_C(302));
+    chain = span_row(&lead, INT64_C(57) + seen);
+    problem = span_row(&lead, INT64_C(21));
+    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
+    plan = span_rows(&lead, INT64_C(64), INT64_C(304));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
-    (*cspan_at(&lead, INT64_C(14), seen + INT64_C(2))) = 1e+300;
+    (*cspan_at(&lead, INT64_C(17), seen + INT64_C(2))) = 1e+300;
     if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
     {
         return INT64_C(0);
@@ -26744,14 +26750,14 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
     int64_t count;
     int64_t seen;
     int64_t result;
-    state = span_row(&lead, INT64_C(9));
-    level = span_row(&lead, INT64_C(10));
+    state = span_row(&lead, INT64_C(12));
+    level = span_row(&lead, INT64_C(13));
     stage = level_order(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(14), stage)) = end;
+    (*cspan_at(&lead, INT64_C(17), stage)) = end;
     row = settle(stage, row, lead, timing, coefficients);
     if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
     {
@@ -26778,16 +26784,16 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
 static void set_limits(double steep, array_double_2d lead)
 {
     array_double_1d axis;
-    axis = span_row(&lead, INT64_C(53));
-    chain_limits(steep, axis, span_row(&lead, INT64_C(8)), span_row(&lead, INT64_C(12)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(12)), span_rows(&lead, INT64_C(55), INT64_C(62)));
+    axis = span_row(&lead, INT64_C(55));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(11)), span_row(&lead, INT64_C(15)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(15)), span_rows(&lead, INT64_C(57), INT64_C(64)));
 }
 static bool is_settled(array_double_2d lead)
 {
     int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(8), i)) != 0.0)
+        if ((*cspan_at(&lead, INT64_C(11), i)) != 0.0)
         {
             return 0;
         }
@@ -26799,11 +26805,11 @@ static void soonest_ends(int64_t order, array_double_2d lead)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
     }
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), order)) = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
+        (*cspan_at(&lead, INT64_C(17), order)) = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
     }
 }
 static double profile_time(bool ramps, array_double_2d lead)
@@ -26817,11 +26823,11 @@ static double profile_time(bool ramps, array_double_2d lead)
     double value;
     int64_t count;
     double result;
-    state = span_row(&lead, INT64_C(9));
-    target = span_row(&lead, INT64_C(18));
-    problem = span_row(&lead, INT64_C(19));
-    axis = span_row(&lead, INT64_C(53));
-    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
+    state = span_row(&lead, INT64_C(12));
+    target = span_row(&lead, INT64_C(20));
+    problem = span_row(&lead, INT64_C(21));
+    axis = span_row(&lead, INT64_C(55));
+    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
     for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
     {
         value = (*cspan_at(&state, INT64_C(0) + order));
@@ -26838,11 +26844,11 @@ static double profile_time(bool ramps, array_double_2d lead)
     count = -INT64_C(1);
     if (ramps)
     {
-        count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+        count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
     }
     else
     {
-        count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(62), INT64_C(302)));
+        count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
     }
     if (count < INT64_C(0))
     {
@@ -26856,19 +26862,19 @@ static void time_anew(int64_t order, array_double_2d lead)
     int64_t i;
     double rest;
     double time;
-    if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
+    if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
     {
         return;
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(11), i));
+        (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(14), i));
     }
     rest = profile_time(0, lead);
     if (rest >= 0.0)
     {
-        time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + rest;
-        (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = span_min((*cspan_at(&lead, INT64_C(16), INT64_C(0))), time);
+        time = (*cspan_at(&lead, INT64_C(12), INT64_C(8))) + rest;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = span_min((*cspan_at(&lead, INT64_C(19), INT64_C(0))), time);
     }
 }
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26890,11 +26896,11 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(9), i));
-        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
+        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(12), i));
+        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
     }
-    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = last - first;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = last - first;
 }
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
@@ -26905,7 +26911,7 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
     {
         value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(0), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(12), i))))
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(3), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(15), i))))
         {
             return 0;
         }
@@ -26916,8 +26922,8 @@ static bool is_better(double time, array_double_2d lead)
 {
     double best;
     bool result;
-    best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
-    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(16), INT64_C(3))));
+    best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(19), INT64_C(3))));
     return result;
 }
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26930,8 +26936,8 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(306), INT64_C(354));
-    lower = span_row(&lead, INT64_C(54));
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    lower = span_row(&lead, INT64_C(56));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -26945,7 +26951,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
     return 1;
 }
 static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26962,14 +26968,14 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    end = (*cspan_at(&lead, INT64_C(14), order));
+    end = (*cspan_at(&lead, INT64_C(17), order));
     count = stage_phases(order, end, 0, lead);
     if (count < INT64_C(0))
     {
         return 1e+300;
     }
-    phases = span_rows(&lead, INT64_C(20), INT64_C(53));
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8))) + total_duration(phases, count);
+    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
+    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8))) + total_duration(phases, count);
     if (!is_better(time, lead))
     {
         return time;
@@ -26979,7 +26985,7 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -26999,8 +27005,8 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
-    best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
+    best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
     if ((best >= 0.0) && (time >= best))
     {
         return 1e+300;
@@ -27023,7 +27029,7 @@ static double try_level(int64_t order, double level, double least, array_double_
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -27032,12 +27038,12 @@ static double try_end(int64_t order, int64_t stage, double end, array_double_1d 
     double bound;
     int64_t i;
     double result;
-    bound = (*cspan_at(&lead, INT64_C(12), stage));
+    bound = (*cspan_at(&lead, INT64_C(15), stage));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(15), i));
+        (*cspan_at(&lead, INT64_C(17), i)) = (*cspan_at(&lead, INT64_C(18), i));
     }
-    (*cspan_at(&lead, INT64_C(14), stage)) = span_min(span_max(end, -bound), bound);
+    (*cspan_at(&lead, INT64_C(17), stage)) = span_min(span_max(end, -bound), bound);
     result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     return result;
 }
@@ -27051,8 +27057,8 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     double nearest;
     int64_t side;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(12), stage));
-    if (((*cspan_at(&lead, INT64_C(15), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
+    bound = (*cspan_at(&lead, INT64_C(15), stage));
+    if (((*cspan_at(&lead, INT64_C(18), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
     {
         try_end(order, stage, 0.0, limits, lead, timing, coefficients);
         end = bound;
@@ -27066,7 +27072,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     step = 0.125 * bound;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(15), stage));
+        around = (*cspan_at(&lead, INT64_C(18), stage));
         if (around >= 1e+300)
         {
             break;
@@ -27078,15 +27084,15 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
             if ((fabs(end) <= bound) || (fabs(around) < bound))
             {
                 time = try_end(order, stage, end, limits, lead, timing, coefficients);
-                if (time >= (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
+                if (time >= (*cspan_at(&lead, INT64_C(19), INT64_C(0))))
                 {
                     nearest = span_min(nearest, time);
                 }
             }
         }
-        if ((*cspan_at(&lead, INT64_C(15), stage)) == around)
+        if ((*cspan_at(&lead, INT64_C(18), stage)) == around)
         {
-            if (nearest <= 1.001 * (*cspan_at(&lead, INT64_C(16), INT64_C(0))))
+            if (nearest <= 1.001 * (*cspan_at(&lead, INT64_C(19), INT64_C(0))))
             {
                 break;
             }
@@ -27111,26 +27117,26 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
     int64_t i;
     double before;
     double level;
-    first = span_row(&lead, INT64_C(20));
+    first = span_row(&lead, INT64_C(22));
     stage = first_free_stage(order);
     soonest_ends(order, lead);
     time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (is_settled(lead) || (stage >= (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0))))))
+    if (is_settled(lead) || (stage >= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
     {
         return;
     }
-    bound = (*cspan_at(&lead, INT64_C(12), stage));
+    bound = (*cspan_at(&lead, INT64_C(15), stage));
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         if ((time >= 1e+300) || ((*cspan_at(&first, INT64_C(4))) != 0.0))
         {
             break;
         }
-        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
         level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
-        (*cspan_at(&lead, INT64_C(14), stage)) = span_min(span_max(level, -bound), bound);
+        (*cspan_at(&lead, INT64_C(17), stage)) = span_min(span_max(level, -bound), bound);
         time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-        if ((before >= 0.0) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) > 0.9999 * before))
+        if ((before >= 0.0) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) > 0.9999 * before))
         {
             break;
         }
@@ -27139,7 +27145,7 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
 static bool leads_in(double time, array_double_2d lead)
 {
     bool result;
-    result = (0.0 <= (*cspan_at(&lead, INT64_C(16), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) <= time);
+    result = (0.0 <= (*cspan_at(&lead, INT64_C(19), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) <= time);
     return result;
 }
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -27153,7 +27159,7 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
         {
             break;
         }
-        if (stage < (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))))
+        if (stage < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
         {
             search_end(order, stage, limits, lead, timing, coefficients);
         }
@@ -27170,10 +27176,10 @@ static double choose_steepness(int64_t order, double within_0001, array_double_1
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
         try_soonest(order, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) != before)
+        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) != before)
         {
             chosen = steep;
         }
@@ -27197,24 +27203,24 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
     soonest_ends(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(14), i));
+        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
     }
     steep = choose_steepness(order, within_0001, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         if (is_settled(lead) || leads_in(within_0001, lead))
         {
             break;
         }
-        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
         set_limits(steep, lead);
         improve_ends(order, within_0001, limits, lead, timing, coefficients);
         if (before >= 0.0)
         {
             break;
         }
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
+        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
         {
             steep = 10.0 * steep;
         }
@@ -27237,7 +27243,7 @@ static double near_zero(double i)
 static bool jumps_often(array_double_2d lead)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) > INT64_C(4);
+    result = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) > INT64_C(4);
     return result;
 }
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -27247,7 +27253,7 @@ static double follow_level(int64_t order, double level, double least, array_doub
     double time;
     double after;
     double found;
-    first = span_row(&lead, INT64_C(20));
+    first = span_row(&lead, INT64_C(22));
     found = 1e+300;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
@@ -27258,7 +27264,7 @@ static double follow_level(int64_t order, double level, double least, array_doub
         }
         least = time;
         found = time;
-        (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = level;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = level;
         after = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
         if (level_order(order, lead) != (*cspan_at(&first, INT64_C(4))) + INT64_C(4) - order)
         {
@@ -27279,11 +27285,11 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
     double time;
     double found;
     stage = level_order(order, lead);
-    kept = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+    kept = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
     least = 1e+300;
-    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0)
+    if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) >= 0.0)
     {
-        least = 1.2 * (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        least = 1.2 * (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
     }
     found = 1e+300;
     count = INT64_C(0);
@@ -27296,7 +27302,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
         level = kept;
         if (i >= -count)
         {
-            level = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(12), stage));
+            level = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(15), stage));
         }
         time = follow_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
@@ -27317,12 +27323,12 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
     int64_t side;
     double level;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(12), level_order(order, lead)));
-    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(16), INT64_C(2)))) + 0.005 * bound;
+    bound = (*cspan_at(&lead, INT64_C(15), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(19), INT64_C(2)))) + 0.005 * bound;
     useless = INT64_C(0);
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+        around = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
@@ -27330,11 +27336,11 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
             if (time < (1.0 - 1e-10) * least)
             {
                 least = time;
-                (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = level;
+                (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = level;
             }
         }
         useless = useless + INT64_C(1);
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(2))) == around)
+        if ((*cspan_at(&lead, INT64_C(19), INT64_C(2))) == around)
         {
             step = 0.25 * step;
         }
@@ -27357,12 +27363,12 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
     double level;
     steep = 1.0;
     found = 1e+300;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(2))) = (*cspan_at(&lead, INT64_C(8), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
-        before = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
         if ((found >= 1e+300) || ((i == INT64_C(1)) && jumps_often(lead)))
         {
             found = search_grid(order, limits, lead, timing, coefficients);
@@ -27373,14 +27379,14 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
         }
         else
         {
-            level = (*cspan_at(&lead, INT64_C(16), INT64_C(2)));
+            level = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
             found = follow_level(order, level, 1e+300, limits, lead, timing, coefficients);
         }
-        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) == before))
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) == before))
         {
             break;
         }
-        (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 0.99;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 0.99;
         steep = 10.0 * steep;
     }
 }
@@ -27388,8 +27394,8 @@ static bool permits_levels(int64_t order, array_double_2d lead)
 {
     array_double_1d target;
     bool resting;
-    target = span_row(&lead, INT64_C(18));
-    if (((int64_t)((*cspan_at(&lead, INT64_C(53), INT64_C(0)))) < INT64_C(4)) || is_settled(lead))
+    target = span_row(&lead, INT64_C(20));
+    if (((int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) < INT64_C(4)) || is_settled(lead))
     {
         return 0;
     }
@@ -27407,7 +27413,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
     double length;
     int64_t i;
     bool settled;
-    state = span_row(&lead, INT64_C(8));
+    state = span_row(&lead, INT64_C(11));
     width = coefficients.shape[INT64_C(1)];
     length = (*cspan_at(&timing, row, INT64_C(1)));
     settled = 1;
@@ -27423,7 +27429,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
         }
         if (i > INT64_C(2))
         {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(12), i)))
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(15), i)))
             {
                 settled = 0;
             }
@@ -27452,7 +27458,7 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
         {
             break;
         }
-        best = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+        best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
         if ((best >= 0.0) && ((*cspan_at(&plan_timing, row, INT64_C(0))) >= best))
         {
             break;
@@ -27470,11 +27476,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             tried = tried + INT64_C(1);
             for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(14), i)) = 1e+300;
+                (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(14), order)) = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(17), order)) = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -27483,19 +27489,19 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
 {
     int64_t i;
-    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(53)));
-    set_lower(span_row(&lead, INT64_C(54)), span_row(&lead, INT64_C(53)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(53))), span_row(&lead, INT64_C(53)), span_rows(&lead, INT64_C(55), INT64_C(62))))
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(55)));
+    set_lower(span_row(&lead, INT64_C(56)), span_row(&lead, INT64_C(55)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(55))), span_row(&lead, INT64_C(55)), span_rows(&lead, INT64_C(57), INT64_C(64))))
     {
         return 0;
     }
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(13), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(16), i)) = rounding_error(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(3), i));
     }
     return 1;
 }
@@ -27506,9 +27512,9 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
     time_anew(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(3), i));
     }
-    time = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+    time = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
     if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
     {
         search_levels(order, limits, lead, timing, coefficients);
@@ -27519,14 +27525,14 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     int64_t count;
     int64_t i;
     int64_t row;
-    count = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(1))));
-    if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
+    count = (int64_t)((*cspan_at(&lead, INT64_C(19), INT64_C(1))));
+    if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
     {
         return;
     }
     if (count + steps > INT64_C(400))
     {
-        (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = -1.0;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = -1.0;
         return;
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -27538,7 +27544,7 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     {
         copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
     }
-    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = count + steps;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = count + steps;
 }
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -27547,18 +27553,18 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
     int64_t steps;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&lead, INT64_C(0), i));
+        (*cspan_at(&lead, INT64_C(4), i)) = (*cspan_at(&lead, INT64_C(3), i));
     }
     for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0)
+        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
         {
             steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
             if (steps > INT64_C(0))
             {
                 for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
                 {
-                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(2), i));
+                    (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(5), i));
                 }
                 if (start_search(shape, limits, lead))
                 {
@@ -27567,7 +27573,7 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
                 }
                 for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
                 {
-                    (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&lead, INT64_C(1), i));
+                    (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(4), i));
                 }
                 prepend_brake(steps, lead, timing, coefficients);
             }
@@ -27580,15 +27586,15 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     int64_t smoothness;
     int64_t shape;
     bool result;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(16), INT64_C(1))) = 0.0;
-    brakes = (*cspan_at(&lead, INT64_C(17), INT64_C(3))) != 0.0;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = 0.0;
+    brakes = (*cspan_at(&lead, INT64_C(0), INT64_C(3))) != 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
     {
         return 0;
     }
-    shape = (int64_t)((*cspan_at(&lead, INT64_C(17), INT64_C(2))));
+    shape = (int64_t)((*cspan_at(&lead, INT64_C(0), INT64_C(2))));
     if ((!brakes) || (!is_outside(limits, lead)))
     {
         if (start_search(shape, limits, lead))
@@ -27596,40 +27602,52 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
             search_stages(order, within_0001, limits, lead, timing, coefficients);
             if (jumps_often(lead))
             {
-                (*cspan_at(&lead, INT64_C(16), INT64_C(3))) = 1.0 - 1e-12;
+                (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
                 follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
             }
             improve_lead(order, within_0001, limits, lead, timing, coefficients);
         }
     }
-    if (brakes && ((*cspan_at(&lead, INT64_C(16), INT64_C(0))) < 0.0))
+    if (brakes && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
     {
         search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
     }
-    result = (*cspan_at(&lead, INT64_C(16), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&lead, INT64_C(19), INT64_C(0))) >= 0.0;
     return result;
+}
+static void clear_search(array_double_2d lead)
+{
+    int64_t row;
+    int64_t i;
+    for (row = INT64_C(3); row < INT64_C(64); row += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < lead.shape[INT64_C(1)]; i += INT64_C(1))
+        {
+            (*cspan_at(&lead, row, i)) = 0.0;
+        }
+    }
 }
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead)
 {
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(0), i)) = 0.0;
+        (*cspan_at(&lead, INT64_C(3), i)) = 0.0;
     }
     for (i = INT64_C(0); i < span_min_int(start.shape[INT64_C(1)], INT64_C(9)); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(0), i)) = (*cspan_at(&start, axis, i));
+        (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&start, axis, i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(54), i)) = (*cspan_at(&lower, axis, i));
+        (*cspan_at(&lead, INT64_C(56), i)) = (*cspan_at(&lower, axis, i));
     }
 }
 static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
 {
-    (*cspan_at(&lead, INT64_C(18), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(18), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
-    (*cspan_at(&lead, INT64_C(18), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
+    (*cspan_at(&lead, INT64_C(20), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(20), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(20), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
 }
 static int64_t latest_axis(array_double_2d ends)
 {
@@ -27656,13 +27674,13 @@ static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lea
     int64_t count;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(11), i));
+        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(14), i));
     }
-    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(11), INT64_C(8)));
-    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(16), INT64_C(0)));
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(14), INT64_C(8)));
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
     (*cspan_at(&end, INT64_C(5))) = 0.0;
     found = timing.shape[INT64_C(0)] - INT64_C(1200);
-    count = (int64_t)((*cspan_at(&lead, INT64_C(16), INT64_C(1))));
+    count = (int64_t)((*cspan_at(&lead, INT64_C(19), INT64_C(1))));
     for (row = INT64_C(0); row < count; row += INT64_C(1))
     {
         copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
@@ -27684,9 +27702,9 @@ static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d 
     {
         return;
     }
-    reached = span_row(&lead, INT64_C(9));
+    reached = span_row(&lead, INT64_C(12));
     write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
-    velocity = (*cspan_at(&lead, INT64_C(18), INT64_C(2)));
+    velocity = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
     if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
     {
         return;
@@ -27741,15 +27759,16 @@ int64_t segfmu_find_leads(array_double_3d states, array_double_2d limits, array_
     int64_t axis;
     axes = limits.shape[INT64_C(0)];
     order = INT64_C(2);
-    if ((*cspan_at(&lead, INT64_C(17), INT64_C(0))) == INT64_C(1))
+    if ((*cspan_at(&lead, INT64_C(0), INT64_C(0))) == INT64_C(1))
     {
         order = INT64_C(1);
     }
-    latest = (*cspan_at(&lead, INT64_C(17), INT64_C(1)));
+    latest = (*cspan_at(&lead, INT64_C(0), INT64_C(1)));
     waits = (latest >= 0.0) && (axes > INT64_C(1));
     rows = timing.shape[INT64_C(0)];
     found = rows - INT64_C(1200);
     longest = span_max(latest, 0.0);
+    clear_search(lead);
     if (waits)
     {
         longest = 1e+300;
@@ -27806,6 +27825,7 @@ bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_dou
     int64_t i;
     bool found;
     found = 0;
+    clear_search(lead);
     for (axis = INT64_C(0); axis < start.shape[INT64_C(0)]; axis += INT64_C(1))
     {
         set_start(axis, start, lower, lead);
@@ -27815,7 +27835,7 @@ bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_dou
             (*cspan_at(&brakes, axis, i)) = 0.0;
             if (count > INT64_C(0))
             {
-                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(7), i));
+                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(10), i));
             }
         }
         if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
@@ -27825,25 +27845,12 @@ bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_dou
     }
     return found;
 }
-static void clear_lead(array_double_2d lead)
+static void lead_to_velocity(array_double_2d lead)
 {
-    int64_t row;
-    int64_t i;
-    for (row = INT64_C(0); row < lead.shape[INT64_C(0)]; row += INT64_C(1))
-    {
-        for (i = INT64_C(0); i < lead.shape[INT64_C(1)]; i += INT64_C(1))
-        {
-            (*cspan_at(&lead, row, i)) = 0.0;
-        }
-    }
-}
-static void set_lead(int64_t order, int64_t shape, double meeting, array_double_2d lead)
-{
-    clear_lead(lead);
-    (*cspan_at(&lead, INT64_C(17), INT64_C(0))) = order;
-    (*cspan_at(&lead, INT64_C(17), INT64_C(1))) = meeting;
-    (*cspan_at(&lead, INT64_C(17), INT64_C(2))) = shape;
-    (*cspan_at(&lead, INT64_C(17), INT64_C(3))) = 1.0;
+    (*cspan_at(&lead, INT64_C(0), INT64_C(0))) = INT64_C(1);
+    (*cspan_at(&lead, INT64_C(0), INT64_C(1))) = -1.0;
+    (*cspan_at(&lead, INT64_C(0), INT64_C(2))) = INT64_C(1);
+    (*cspan_at(&lead, INT64_C(0), INT64_C(3))) = 1.0;
 }
 static bool lead_between(int64_t source, int64_t slot, array_double_2d ends, array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
@@ -27996,7 +28003,7 @@ static bool reach_velocities(bool slow, array_double_2d operation, array_double_
     int64_t tries;
     int64_t axis;
     int64_t i;
-    set_lead(INT64_C(1), INT64_C(1), -1.0, lead);
+    lead_to_velocity(lead);
     tries = INT64_C(5);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
@@ -30020,7 +30027,7 @@ static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_dou
     result = merge_pieces(weight, now, middle, last, timing, coefficients, row);
     return result;
 }
-int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
+static int64_t expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
     int64_t points;
     int64_t count;
@@ -30066,6 +30073,163 @@ int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array
     (*cspan_at(&offsets, count)) = row;
     return row;
 }
+static void lead_to_plan(array_double_2d lead)
+{
+    array_double_1d options;
+    options = span_row(&lead, INT64_C(1));
+    (*cspan_at(&lead, INT64_C(0), INT64_C(0))) = INT64_C(2);
+    (*cspan_at(&lead, INT64_C(0), INT64_C(2))) = (*cspan_at(&options, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(0), INT64_C(1))) = (*cspan_at(&options, INT64_C(4)));
+    if ((int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(0))
+    {
+        if ((*cspan_at(&options, INT64_C(4))) == 0.0)
+        {
+            (*cspan_at(&lead, INT64_C(0), INT64_C(1))) = -1.0;
+        }
+    }
+}
+static bool join_behind(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead)
+{
+    int64_t count;
+    int64_t leads;
+    int64_t behind;
+    int64_t whole;
+    int64_t end;
+    count = axes.shape[INT64_C(0)];
+    leads = INT64_C(1) * (count + INT64_C(1));
+    behind = INT64_C(2) * (count + INT64_C(1));
+    whole = INT64_C(3) * (count + INT64_C(1));
+    end = INT64_C(4) * (count + INT64_C(1));
+    if ((*cspan_at(&offsets, leads + count)) + segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(1)])
+    {
+        return 0;
+    }
+    expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, behind, whole), times, span_rows(&lead, INT64_C(304), INT64_C(308)));
+    segfmu_join_plans(span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, leads, behind), span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, behind, whole), span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, whole, end));
+    return 1;
+}
+bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d spare_timing, array_double_2d spare_coefficients)
+{
+    array_double_2d check;
+    double tolerance;
+    double joints;
+    int64_t axis;
+    int64_t i;
+    int64_t wrong;
+    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    tolerance = (*cspan_at(&lead, INT64_C(2), INT64_C(0)));
+    joints = (*cspan_at(&lead, INT64_C(2), INT64_C(1)));
+    for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
+    {
+        for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+        {
+            (*cspan_at(&brakes, axis, i)) = 0.0;
+        }
+    }
+    wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, tolerance, joints, check);
+    if (wrong > INT64_C(0))
+    {
+        if (segfmu_find_brakes(span_matrix(&states, INT64_C(0)), limits, lower, brakes, lead, spare_timing, spare_coefficients))
+        {
+            wrong = check_braked_plan(states, times, timing, coefficients, offsets, limits, lower, brakes, tolerance, joints, check);
+        }
+    }
+    return wrong == INT64_C(0);
+}
+static void set_delayed(array_double_3d states)
+{
+    int64_t points;
+    int64_t j;
+    int64_t axis;
+    int64_t i;
+    points = span_floor_div(states.shape[INT64_C(0)], INT64_C(2));
+    for (j = INT64_C(1); j < points; j += INT64_C(1))
+    {
+        for (axis = INT64_C(0); axis < states.shape[INT64_C(1)]; axis += INT64_C(1))
+        {
+            for (i = INT64_C(0); i < states.shape[INT64_C(2)]; i += INT64_C(1))
+            {
+                (*cspan_at(&states, points + j, axis, i)) = 0.0;
+            }
+            for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
+            {
+                (*cspan_at(&states, points + j, axis, i)) = (*cspan_at(&states, j, axis, i));
+            }
+        }
+    }
+}
+static int64_t finish_plan(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead)
+{
+    int64_t points;
+    int64_t last;
+    int64_t count;
+    int64_t ends;
+    int64_t whole;
+    int64_t end;
+    points = dwells.shape[INT64_C(0)];
+    last = INT64_C(2) * points;
+    count = limits.shape[INT64_C(0)];
+    ends = INT64_C(2) * count;
+    whole = INT64_C(3) * (count + INT64_C(1));
+    end = INT64_C(4) * (count + INT64_C(1));
+    if (!join_behind(span_layers(&states, points, last), dwells, span_rows(&axes, INT64_C(0), count), cells, timing, coefficients, offsets, times, lead))
+    {
+        return INT64_C(1);
+    }
+    if (segfmu_judge_pieces(span_layers(&states, INT64_C(0), points), times, span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, whole, end), limits, lower, span_rows(&axes, count, ends), lead, span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2))))
+    {
+        return INT64_C(0);
+    }
+    return (int64_t)(-INT64_C(12));
+}
+int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead)
+{
+    int64_t points;
+    int64_t count;
+    int64_t last;
+    int64_t done;
+    int64_t i;
+    int64_t first;
+    int64_t behind;
+    int64_t failed;
+    int64_t status;
+    points = dwells.shape[INT64_C(0)];
+    count = limits.shape[INT64_C(0)];
+    last = INT64_C(2) * points;
+    done = (int64_t)((*cspan_at(&lead, INT64_C(0), INT64_C(4))));
+    status = INT64_C(0);
+    (*cspan_at(&lead, INT64_C(0), INT64_C(5))) = -1.0;
+    for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(64) + INT64_C(99), i)) = 0.0;
+    }
+    if (timing.shape[INT64_C(1)] < (*cspan_at(&offsets, count)) + INT64_C(400) * count + INT64_C(1200))
+    {
+        return INT64_C(1);
+    }
+    if (done == INT64_C(0))
+    {
+        lead_to_plan(lead);
+        first = count + INT64_C(1);
+        behind = INT64_C(2) * first;
+        failed = segfmu_find_leads(span_layers(&states, INT64_C(0), INT64_C(2)), limits, lower, span_part(&offsets, INT64_C(0), first), span_matrix(&timing, INT64_C(0)), span_matrix(&coefficients, INT64_C(0)), span_matrix(&states, points), lead, span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, first, behind));
+        (*cspan_at(&lead, INT64_C(0), INT64_C(5))) = failed;
+        if (failed >= INT64_C(0))
+        {
+            status = (int64_t)(-INT64_C(3));
+        }
+    }
+    if ((status == INT64_C(0)) && (done != INT64_C(2)))
+    {
+        set_delayed(states);
+        status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, INT64_C(1)), span_rows(&axes, INT64_C(0), count), cells, span_rows(&lead, INT64_C(64), INT64_C(304)));
+    }
+    if (status == INT64_C(0))
+    {
+        status = finish_plan(states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, lead);
+    }
+    return status;
+}
 static void set_place(array_double_2d operation, array_double_3d states)
 {
     int64_t axis;
@@ -30096,15 +30260,15 @@ static void set_ends(array_double_2d operation, array_double_3d states)
     }
     set_place(operation, states);
 }
-static void set_options(array_double_2d known, array_double_2d work)
+static void set_options(array_double_2d known, array_double_2d lead, array_double_2d work)
 {
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&work, INT64_C(85), i)) = (*cspan_at(&known, INT64_C(5), i));
+        (*cspan_at(&lead, INT64_C(1), i)) = (*cspan_at(&known, INT64_C(5), i));
     }
-    (*cspan_at(&work, INT64_C(85), INT64_C(3))) = 0.0;
-    (*cspan_at(&work, INT64_C(85), INT64_C(4))) = 0.0;
+    (*cspan_at(&lead, INT64_C(1), INT64_C(3))) = 0.0;
+    (*cspan_at(&lead, INT64_C(1), INT64_C(4))) = 0.0;
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
         (*cspan_at(&work, INT64_C(84), i)) = 0.0;
@@ -30169,20 +30333,13 @@ static void end_ways_at_target(array_double_2d operation)
         }
     }
 }
-static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work)
+static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead)
 {
-    array_double_1d options;
-    double meeting;
     bool result;
-    options = span_row(&work, INT64_C(85));
-    meeting = 0.0;
-    if ((int64_t)((*cspan_at(&options, INT64_C(2)))) == INT64_C(0))
-    {
-        meeting = -1.0;
-    }
     set_motion(operation, states);
     set_place(operation, states);
-    set_lead(INT64_C(2), (int64_t)((*cspan_at(&options, INT64_C(1)))), meeting, lead);
+    lead_to_plan(lead);
+    (*cspan_at(&lead, INT64_C(0), INT64_C(3))) = 1.0;
     result = lead_between(INT64_C(1), INT64_C(2), span_rows(&operation, INT64_C(26), INT64_C(29)), limits, span_rows(&operation, INT64_C(23), INT64_C(26)), timing, coefficients, offsets, states, lead);
     return result;
 }
@@ -30191,35 +30348,27 @@ static bool plan_target(array_double_2d limits, array_double_2d lower, array_dou
     array_double_1d dwells;
     array_double_2d axes;
     int64_t status;
-    int64_t place;
+    int64_t first;
+    int64_t last;
+    bool result;
     dwells = span_row(&work, INT64_C(84));
-    axes = span_rows(&work, INT64_C(86), INT64_C(89));
-    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, INT64_C(85)), axes, cells, span_rows(&lead, INT64_C(62), INT64_C(302)));
-    if ((status < INT64_C(0)) || (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(1)]))
+    axes = span_rows(&work, INT64_C(85), INT64_C(88));
+    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, INT64_C(1)), axes, cells, span_rows(&lead, INT64_C(64), INT64_C(304)));
+    if (status < INT64_C(0))
     {
         return 0;
     }
-    place = INT64_C(3) * INT64_C(4);
-    segfmu_expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, place, place + INT64_C(4)), span_rows(&work, INT64_C(81), INT64_C(84)), span_rows(&lead, INT64_C(302), INT64_C(306)));
-    return 1;
-}
-static void join_behind(array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
-{
-    int64_t leads;
-    int64_t behind;
-    int64_t tried;
-    leads = INT64_C(2) * INT64_C(4);
-    behind = INT64_C(3) * INT64_C(4);
-    tried = INT64_C(4) * INT64_C(4);
-    segfmu_join_plans(span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, leads, leads + INT64_C(4)), span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, behind, behind + INT64_C(4)), span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, tried, tried + INT64_C(4)));
+    first = INT64_C(1) * INT64_C(4);
+    last = INT64_C(5) * INT64_C(4);
+    result = join_behind(states, dwells, axes, cells, span_layers(&timing, INT64_C(1), INT64_C(5)), span_layers(&coefficients, INT64_C(1), INT64_C(5)), span_part(&offsets, first, last), span_rows(&work, INT64_C(81), INT64_C(84)), lead);
+    return result;
 }
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work)
 {
     bool found;
-    int64_t rows;
     int64_t axis;
     int64_t i;
-    set_options(known, work);
+    set_options(known, lead, work);
     found = 0;
     if (is_too_fast(operation, limits))
     {
@@ -30230,7 +30379,7 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     }
     else
     {
-        found = lead_to_target(operation, span_matrix(&limits, INT64_C(1)), timing, coefficients, offsets, states, lead, work);
+        found = lead_to_target(operation, span_matrix(&limits, INT64_C(1)), timing, coefficients, offsets, states, lead);
     }
     if (!found)
     {
@@ -30238,12 +30387,10 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
     }
     set_ends(operation, states);
     found = plan_target(span_matrix(&limits, INT64_C(1)), span_rows(&operation, INT64_C(23), INT64_C(26)), timing, coefficients, offsets, states, cells, lead, work);
-    rows = plan_pieces(INT64_C(2), offsets) + plan_pieces(INT64_C(3), offsets);
-    if ((!found) || (rows > INT64_C(1200)))
+    if ((!found) || (!has_room(INT64_C(4), offsets)))
     {
         return 0;
     }
-    join_behind(timing, coefficients, offsets);
     for (axis = INT64_C(0); axis < INT64_C(3); axis += INT64_C(1))
     {
         for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
@@ -35753,15 +35900,15 @@ int64_t segfmu_is_elsewhere(array_double_1d before, array_double_1d reference, d
 }
 int64_t segfmu_expand_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work)
 {
-    double tolerance;
+    array_double_1d judging;
     int64_t wrong;
     if (segfmu_count_pieces(axes, cells) > timing.shape[INT64_C(0)])
     {
         return INT64_C(1);
     }
-    segfmu_expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(242), INT64_C(246)));
-    tolerance = (*cspan_at(&work, INT64_C(1), INT64_C(0)));
-    wrong = segfmu_check_plan(states, times, timing, coefficients, offsets, limits, lower, tolerance, 0.5 * tolerance, span_rows(&work, INT64_C(246), INT64_C(294)));
+    expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, INT64_C(242), INT64_C(246)));
+    judging = span_row(&work, INT64_C(1));
+    wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, (*cspan_at(&judging, INT64_C(0))), (*cspan_at(&judging, INT64_C(1))), span_rows(&work, INT64_C(246), INT64_C(294)));
     if (wrong > INT64_C(0))
     {
         return -INT64_C(12);

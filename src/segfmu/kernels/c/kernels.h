@@ -11,8 +11,6 @@
 SEGFMU_API void segfmu_evaluate(array_double_1d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, int64_t derivative, array_double_2d values);
 SEGFMU_API void segfmu_evaluate_orders(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d values);
 SEGFMU_API double segfmu_state_scale(int64_t order, double duration, array_double_1d limits);
-SEGFMU_API int64_t segfmu_check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
-SEGFMU_API int64_t segfmu_check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
 SEGFMU_API int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 SEGFMU_API int64_t segfmu_clearance_spans(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_3d spans);
 SEGFMU_API int64_t segfmu_contact_times(int64_t part, double until, int64_t count, array_double_1d box, array_double_3d spans, array_double_3d stack, array_double_2d times, array_double_1d place);
@@ -122,7 +120,8 @@ SEGFMU_API bool segfmu_find_brakes(array_double_2d start, array_double_2d limits
 SEGFMU_API double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
 SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
-SEGFMU_API int64_t segfmu_expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
+SEGFMU_API bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d spare_timing, array_double_2d spare_coefficients);
+SEGFMU_API int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);
 SEGFMU_API void segfmu_begin_operation(double time, array_double_2d operation);
 SEGFMU_API bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
 SEGFMU_API int64_t segfmu_check_ready(array_double_1d compensation, array_double_1d resistance, int64_t pieces, array_double_1d fault);

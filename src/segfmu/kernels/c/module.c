@@ -109,131 +109,6 @@ static PyObject *call_state_scale(
     return answer;
 }
 
-static PyObject *call_check_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    double in_tolerance;
-    double in_joints;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 10)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
-        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
-        && take_float(&call, 7, &in_tolerance)
-        && take_float(&call, 8, &in_joints)
-        && (in_work = take_array(&call, 9, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 48)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 27)
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_check_plan(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            in_tolerance,
-            in_joints,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_check_braked_plan(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "check_braked_plan", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_states;
-    Py_buffer *in_times;
-    Py_buffer *in_timing;
-    Py_buffer *in_coefficients;
-    Py_buffer *in_offsets;
-    Py_buffer *in_limits;
-    Py_buffer *in_lower;
-    Py_buffer *in_brakes;
-    double in_tolerance;
-    double in_joints;
-    Py_buffer *in_work;
-    (void)self;
-    if (take_count(&call, count, 11)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
-        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
-        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
-        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
-        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
-        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
-        && (in_brakes = take_array(&call, 7, 2, 'd', false)) != NULL
-        && take_float(&call, 8, &in_tolerance)
-        && take_float(&call, 9, &in_joints)
-        && (in_work = take_array(&call, 10, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
-        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
-        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
-        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
-        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_states->shape[1])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
-        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 4)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "limits", 1, in_limits->shape[1], 3)
-        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
-        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 48)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 27)
-        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
-        answer = PyLong_FromLongLong(segfmu_check_braked_plan(
-            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
-            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
-            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
-            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
-            in_tolerance,
-            in_joints,
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
 static PyObject *call_check_rope(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3375,7 +3250,7 @@ static PyObject *call_keeps_drives(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
         && has_at_least(&call, "known", 0, in_known->shape[0], 25)
         && has_at_least(&call, "known", 1, in_known->shape[1], 29)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
         answer = PyBool_FromLong(segfmu_keeps_drives(
@@ -3419,7 +3294,7 @@ static PyObject *call_foresee_emergency(
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)) {
         answer = PyBool_FromLong(segfmu_foresee_emergency(
             (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
@@ -3465,7 +3340,7 @@ static PyObject *call_take_over_measured(
         && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
@@ -3628,7 +3503,7 @@ static PyObject *call_find_brake(
         && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 354)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3750,7 +3625,7 @@ static PyObject *call_find_leads(
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
         && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 354)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3804,7 +3679,7 @@ static PyObject *call_find_brakes(
         && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 354)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3929,59 +3804,140 @@ static PyObject *call_count_pieces(
     return answer;
 }
 
-static PyObject *call_expand_plan(
+static PyObject *call_judge_pieces(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
-    arguments call = {.function = "expand_plan", .values = values};
+    arguments call = {.function = "judge_pieces", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_states;
+    Py_buffer *in_times;
+    Py_buffer *in_timing;
+    Py_buffer *in_coefficients;
+    Py_buffer *in_offsets;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
+    Py_buffer *in_brakes;
+    Py_buffer *in_lead;
+    Py_buffer *in_spare_timing;
+    Py_buffer *in_spare_coefficients;
+    (void)self;
+    if (take_count(&call, count, 11)
+        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+        && (in_times = take_array(&call, 1, 2, 'd', false)) != NULL
+        && (in_timing = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_coefficients = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_offsets = take_array(&call, 4, 1, 'l', false)) != NULL
+        && (in_limits = take_array(&call, 5, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 6, 2, 'd', false)) != NULL
+        && (in_brakes = take_array(&call, 7, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 8, 2, 'd', true)) != NULL
+        && (in_spare_timing = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_spare_coefficients = take_array(&call, 10, 2, 'd', true)) != NULL
+        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && has_at_least(&call, "states", 1, in_states->shape[1], 1)
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 1)
+        && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
+        && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
+        && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_states->shape[1])
+        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], ((2 * in_limits->shape[1]) - 2))
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
+        && has_at_least(&call, "spare_timing", 0, in_spare_timing->shape[0], 1200)
+        && has_at_least(&call, "spare_timing", 1, in_spare_timing->shape[1], 2)
+        && has_at_least(&call, "spare_coefficients", 0, in_spare_coefficients->shape[0], 1200)
+        && has_at_least(&call, "spare_coefficients", 1, in_spare_coefficients->shape[1], ((2 * in_limits->shape[1]) - 2))
+        && has_pieces(&call, "offsets", in_offsets->buf, (in_states->shape[1] + 1), 1, in_timing->shape[0])) {
+        answer = PyBool_FromLong(segfmu_judge_pieces(
+            (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
+            (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
+            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
+            (array_double_2d){in_brakes->buf, {in_brakes->shape[0], in_brakes->shape[1]}},
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}},
+            (array_double_2d){in_spare_timing->buf, {in_spare_timing->shape[0], in_spare_timing->shape[1]}},
+            (array_double_2d){in_spare_coefficients->buf, {in_spare_coefficients->shape[0], in_spare_coefficients->shape[1]}}));
+    }
+    release_arguments(&call);
+    return answer;
+}
+
+static PyObject *call_plan_onward(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "plan_onward", .values = values};
     PyObject *answer = NULL;
     Py_buffer *in_states;
     Py_buffer *in_dwells;
+    Py_buffer *in_limits;
+    Py_buffer *in_lower;
     Py_buffer *in_axes;
     Py_buffer *in_cells;
     Py_buffer *in_timing;
     Py_buffer *in_coefficients;
     Py_buffer *in_offsets;
     Py_buffer *in_times;
-    Py_buffer *in_work;
+    Py_buffer *in_lead;
     (void)self;
-    if (take_count(&call, count, 9)
-        && (in_states = take_array(&call, 0, 3, 'd', false)) != NULL
+    if (take_count(&call, count, 11)
+        && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
         && (in_dwells = take_array(&call, 1, 1, 'd', false)) != NULL
-        && (in_axes = take_array(&call, 2, 2, 'd', false)) != NULL
-        && (in_cells = take_array(&call, 3, 3, 'd', true)) != NULL
-        && (in_timing = take_array(&call, 4, 2, 'd', true)) != NULL
-        && (in_coefficients = take_array(&call, 5, 2, 'd', true)) != NULL
-        && (in_offsets = take_array(&call, 6, 1, 'l', true)) != NULL
-        && (in_times = take_array(&call, 7, 2, 'd', true)) != NULL
-        && (in_work = take_array(&call, 8, 2, 'd', true)) != NULL
-        && has_at_least(&call, "states", 0, in_states->shape[0], 1)
+        && (in_limits = take_array(&call, 2, 2, 'd', false)) != NULL
+        && (in_lower = take_array(&call, 3, 2, 'd', false)) != NULL
+        && (in_axes = take_array(&call, 4, 2, 'd', true)) != NULL
+        && (in_cells = take_array(&call, 5, 3, 'd', true)) != NULL
+        && (in_timing = take_array(&call, 6, 3, 'd', true)) != NULL
+        && (in_coefficients = take_array(&call, 7, 3, 'd', true)) != NULL
+        && (in_offsets = take_array(&call, 8, 1, 'l', true)) != NULL
+        && (in_times = take_array(&call, 9, 2, 'd', true)) != NULL
+        && (in_lead = take_array(&call, 10, 2, 'd', true)) != NULL
         && has_at_least(&call, "states", 1, in_states->shape[1], 1)
-        && has_extent(&call, "dwells", 0, in_dwells->shape[0], in_states->shape[0])
-        && has_extent(&call, "axes", 0, in_axes->shape[0], in_states->shape[1])
+        && has_at_least(&call, "dwells", 0, in_dwells->shape[0], 1)
+        && has_at_least(&call, "limits", 1, in_limits->shape[1], 1)
+        && has_extent(&call, "limits", 0, in_limits->shape[0], in_states->shape[1])
+        && has_extent(&call, "lower", 0, in_lower->shape[0], in_states->shape[1])
         && has_extent(&call, "times", 1, in_times->shape[1], in_states->shape[1])
-        && has_at_least(&call, "states", 2, in_states->shape[2], 3)
+        && has_at_least(&call, "states", 0, in_states->shape[0], (2 * in_dwells->shape[0]))
+        && has_at_least(&call, "states", 2, in_states->shape[2], 7)
+        && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
+        && has_at_least(&call, "axes", 0, in_axes->shape[0], (2 * in_states->shape[1]))
         && has_at_least(&call, "axes", 1, in_axes->shape[1], 50)
-        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
+        && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_dwells->shape[0] - 1) * in_states->shape[1]))
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-        && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
-        && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-        && has_at_least(&call, "work", 0, in_work->shape[0], 4)
-        && has_at_least(&call, "work", 1, in_work->shape[1], 12)
-        && has_at_least(&call, "timing", 0, in_timing->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
-        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], segfmu_count_pieces((array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}}, (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}}))
-        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_axes->buf)[0 * in_axes->shape[1] + 0]))) {
-        answer = PyLong_FromLongLong(segfmu_expand_plan(
+        && has_at_least(&call, "timing", 0, in_timing->shape[0], 4)
+        && has_at_least(&call, "timing", 1, in_timing->shape[1], ((400 * in_states->shape[1]) + 1200))
+        && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+        && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 4)
+        && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], ((400 * in_states->shape[1]) + 1200))
+        && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], ((2 * in_limits->shape[1]) - 2))
+        && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (4 * (in_states->shape[1] + 1)))
+        && has_at_least(&call, "times", 0, in_times->shape[0], (in_dwells->shape[0] + 1))
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)) {
+        answer = PyLong_FromLongLong(segfmu_plan_onward(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
             (array_double_1d){in_dwells->buf, {in_dwells->shape[0]}},
+            (array_double_2d){in_limits->buf, {in_limits->shape[0], in_limits->shape[1]}},
+            (array_double_2d){in_lower->buf, {in_lower->shape[0], in_lower->shape[1]}},
             (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}},
             (array_double_3d){in_cells->buf, {in_cells->shape[0], in_cells->shape[1], in_cells->shape[2]}},
-            (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-            (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+            (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+            (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
             (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
             (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
-            (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+            (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}}));
     }
     release_arguments(&call);
     return answer;
@@ -4058,9 +4014,9 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 3)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 354)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
-        && has_at_least(&call, "work", 0, in_work->shape[0], 170)
+        && has_at_least(&call, "work", 0, in_work->shape[0], 169)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)
         && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
         && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
@@ -5412,8 +5368,6 @@ static PyMethodDef methods[] = {
     {"evaluate", (PyCFunction)(void (*)(void))call_evaluate, METH_FASTCALL, NULL},
     {"evaluate_orders", (PyCFunction)(void (*)(void))call_evaluate_orders, METH_FASTCALL, NULL},
     {"state_scale", (PyCFunction)(void (*)(void))call_state_scale, METH_FASTCALL, NULL},
-    {"check_plan", (PyCFunction)(void (*)(void))call_check_plan, METH_FASTCALL, NULL},
-    {"check_braked_plan", (PyCFunction)(void (*)(void))call_check_braked_plan, METH_FASTCALL, NULL},
     {"check_rope", (PyCFunction)(void (*)(void))call_check_rope, METH_FASTCALL, NULL},
     {"clearance_spans", (PyCFunction)(void (*)(void))call_clearance_spans, METH_FASTCALL, NULL},
     {"contact_times", (PyCFunction)(void (*)(void))call_contact_times, METH_FASTCALL, NULL},
@@ -5523,7 +5477,8 @@ static PyMethodDef methods[] = {
     {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
     {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
     {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
-    {"expand_plan", (PyCFunction)(void (*)(void))call_expand_plan, METH_FASTCALL, NULL},
+    {"judge_pieces", (PyCFunction)(void (*)(void))call_judge_pieces, METH_FASTCALL, NULL},
+    {"plan_onward", (PyCFunction)(void (*)(void))call_plan_onward, METH_FASTCALL, NULL},
     {"begin_operation", (PyCFunction)(void (*)(void))call_begin_operation, METH_FASTCALL, NULL},
     {"operate", (PyCFunction)(void (*)(void))call_operate, METH_FASTCALL, NULL},
     {"check_ready", (PyCFunction)(void (*)(void))call_check_ready, METH_FASTCALL, NULL},

@@ -33,7 +33,9 @@ static array_double_3d gather_states(const segfmu_problem *p, double *space)
 static array_double_2d gather_options(const segfmu_problem *p, double *space)
 {
     segfmu_write_options(p, space + MOTION_WORK_OPTIONS * MOTION_WORK_COLUMNS);
-    space[MOTION_WORK_JUDGING * MOTION_WORK_COLUMNS + JUDGING_TOLERANCE] = PLAN_TOLERANCE;
+    double *judging = space + MOTION_WORK_JUDGING * MOTION_WORK_COLUMNS;
+    judging[JUDGING_TOLERANCE] = PLAN_TOLERANCE;
+    judging[JUDGING_JOINTS] = 0.5 * PLAN_TOLERANCE;
     return matrix(space, MOTION_WORK_SIZE, MOTION_WORK_COLUMNS);
 }
 

@@ -24,63 +24,58 @@ static double *full_states(const replanning *t, const segfmu_problem *p, double 
     return states;
 }
 
-/* The plan behind the leads. */
-static int plan_after(replanning *t, const segfmu_problem *p, double *full, double *times,
-                      double *space, segfmu_trajectory *trajectory)
+/* From the states full (m, k, n + 1) onward: with leads, or, where these have ends (k, DelayedState),
+   behind what is in their part. */
+static int plan_onward(replanning *t, const segfmu_problem *p, const double *full,
+                       const double *ends, double *times, segfmu_trajectory *trajectory)
 {
-    const int64_t k = t->axes, n = t->smoothness, m = p->points, cells = (m - 1) * k;
-    array_double_3d states = cuboid(take(&space, m * k * DELAYED_STATE_SIZE), m, k,
-                                    DELAYED_STATE_SIZE);
-    for (int64_t i = 0; i < m * k; i++) {
-        double *state = states.data + i * DELAYED_STATE_SIZE;
-        const double *source = i < k ? t->ends + i * DELAYED_STATE_SIZE : full + i * (n + 1);
-        for (int64_t d = 0; d < STATE; d++) {
-            state[d] = source[d];
-        }
-        state[DELAYED_STATE_DELAY] = i < k ? source[DELAYED_STATE_DELAY] : 0.0;
-    }
-    double *options = take(&space, PLAN_OPTIONS_SIZE);
-    segfmu_write_options(p, options);
-    array_double_2d axes = matrix(take(&space, k * AXIS_SIZE), k, AXIS_SIZE);
+    const int64_t k = t->axes, width = t->smoothness + 1, m = p->points, cells = (m - 1) * k;
+    double *space = ends == NULL ? t->space : t->space + k * DELAYED_STATE_SIZE;
+    array_double_3d states = cuboid(take(&space, 2 * m * k * LEAD_END_SIZE), 2 * m, k, LEAD_END_SIZE);
     array_double_3d profiles = cuboid(take(&space, cells * CELL_SIZE * CELL_COLUMNS), cells,
                                       CELL_SIZE, CELL_COLUMNS);
-    array_double_2d work = matrix(take(&space, PLAN_WORK_SIZE * PLAN_WORK_COLUMNS),
-                                  PLAN_WORK_SIZE, PLAN_WORK_COLUMNS);
     array_double_1d dwells = segfmu_gather_dwells(p, &space);
-    double *report = work.data + PLAN_WORK_REFUSAL * PLAN_WORK_COLUMNS;
-    memset(report, 0, sizeof trajectory->report);
-    int64_t status = segfmu_plan_phases(
-        states, dwells, t->limits, t->lower, vector(options, PLAN_OPTIONS_SIZE), axes, profiles, work);
-    if (status < 0) {
-        memcpy(trajectory->report, report, sizeof trajectory->report);
-        return (int)status;
+    memset(states.data, 0, (size_t)(2 * m * k * LEAD_END_SIZE) * sizeof *states.data);
+    for (int64_t i = 0; i < m * k; i++) {
+        memcpy(states.data + i * LEAD_END_SIZE, full + i * width, (size_t)width * sizeof *full);
     }
-    array_double_2d expansion = matrix(take(&space, EXPANSION_SIZE * EXPANSION_COLUMNS),
-                                       EXPANSION_SIZE, EXPANSION_COLUMNS);
-    segfmu_expand_plan(states, dwells, axes, profiles, t->plan.timing, t->plan.coefficients,
-                       t->plan.offsets, matrix(times, m + 1, k), expansion);
-    return segfmu_join_leads(t, m, full, times, space, trajectory);
+    for (int64_t i = 0; i < k && ends != NULL; i++) {
+        memcpy(states.data + (m * k + i) * LEAD_END_SIZE, ends + i * DELAYED_STATE_SIZE,
+               DELAYED_STATE_SIZE * sizeof *ends);
+    }
+    double *rows = t->lead.data;
+    segfmu_write_options(p, rows + LEAD_WORK_OPTIONS * LEAD_WORK_COLUMNS);
+    rows[LEAD_WORK_TASK * LEAD_WORK_COLUMNS + LEAD_TASK_DONE] = ends == NULL ? DONE_NOTHING : DONE_LEADS;
+    const int64_t status = segfmu_plan_onward(
+        states, dwells, t->limits, t->lower, t->tables, profiles, t->timing, t->coefficients,
+        t->offsets, matrix(times, m + 1, k), t->lead);
+    if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
+        const piece_list whole = segfmu_part(t, PLAN_PART_WHOLE);
+        segfmu_show(t, &whole, m, times, trajectory);
+    }
+    memcpy(trajectory->report, rows + (LEAD_WORK_PLAN + PLAN_WORK_REFUSAL) * LEAD_WORK_COLUMNS,
+           sizeof trajectory->report);
+    return (int)status;
 }
 
-/* Round the ends of the leads: with rounding errors in its velocity an axis at rest would count as
-   moving. They are between the present states and the targets, which tell the scale. */
-static void settle_ends(replanning *t, int64_t points, const double *full)
+/* Round the ends of leads: with rounding errors in its velocity an axis at rest would count as moving.
+   They are between the present states and the targets, which tell the scale. */
+static void settle_ends(const replanning *t, int64_t points, const double *full, double *ends)
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
-    double *space = t->space, *path = take(&space, (points + 1) * k * STATE);
+    double *space = t->space + k * DELAYED_STATE_SIZE, *path = take(&space, (points + 1) * k * STATE);
     for (int64_t row = 0; row <= points; row++) {
         for (int64_t axis = 0; axis < k; axis++) {
             const double *state = full + ((row < 2 ? 0 : row - 1) * k + axis) * width;
             if (row == 1) {
-                state = t->ends + axis * DELAYED_STATE_SIZE;
+                state = ends + axis * DELAYED_STATE_SIZE;
             }
             memcpy(path + (row * k + axis) * STATE, state, STATE * sizeof *path);
         }
     }
     segfmu_settle_states(1, cuboid(path, points + 1, k, STATE), t->limits, t->lower);
     for (int64_t axis = 0; axis < k; axis++) {
-        memcpy(t->ends + axis * DELAYED_STATE_SIZE, path + (k + axis) * STATE,
-               STATE * sizeof *path);
+        memcpy(ends + axis * DELAYED_STATE_SIZE, path + (k + axis) * STATE, STATE * sizeof *path);
     }
 }
 
@@ -88,20 +83,22 @@ static void settle_ends(replanning *t, int64_t points, const double *full)
 static int plan_behind(replanning *t, const segfmu_problem *p, double *full, double *times,
                        segfmu_trajectory *trajectory)
 {
-    t->leads = t->rest;
-    segfmu_end_rest(t);
-    settle_ends(t, p->points, full);
-    int status = plan_after(t, p, full, times, t->space, trajectory);
+    const piece_list leads = segfmu_part(t, PLAN_PART_LEADS);
+    double *space = t->space, *ends = take(&space, t->axes * DELAYED_STATE_SIZE);
+    segfmu_follow_rest(t);
+    segfmu_end_pieces(&leads, ends);
+    settle_ends(t, p->points, full, ends);
+    int status = plan_onward(t, p, full, ends, times, trajectory);
     if (status == PLAN_STATUS_CHECK_FAILED) {
         /* rounding errors of a whole motion may be large against what is left of it */
-        double *space = t->space, *ends = take(&space, t->axes * STATE);
+        double *states = take(&space, t->axes * STATE);
         for (int64_t axis = 0; axis < t->axes; axis++) {
-            memcpy(ends + axis * STATE, t->ends + axis * DELAYED_STATE_SIZE, STATE * sizeof *ends);
+            memcpy(states + axis * STATE, ends + axis * DELAYED_STATE_SIZE, STATE * sizeof *ends);
         }
-        segfmu_anchor_plan(matrix(ends, t->axes, STATE), t->limits, t->leads.timing,
-                           t->leads.coefficients, t->leads.offsets);
-        segfmu_start_states(&t->leads, t->smoothness, full);
-        status = plan_after(t, p, full, times, t->space, trajectory);
+        segfmu_anchor_plan(matrix(states, t->axes, STATE), t->limits, leads.timing,
+                           leads.coefficients, leads.offsets);
+        segfmu_start_states(&leads, t->smoothness, full);
+        status = plan_onward(t, p, full, ends, times, trajectory);
     }
     return status;
 }
@@ -125,17 +122,17 @@ static int same_state(const replanning *t, int64_t axis, double clock, const dou
 
 /* Once some axes are in the last dwell, they rest until the last one has done so, or, while that
    moves, for a whole dwell; times (3, k) of a rest that ends at stops. */
-static void rest_in_dwell(replanning *t, int begun, double dwell, double *times)
+static void rest_in_dwell(const piece_list *rest, int begun, double dwell, double *times)
 {
-    const int64_t k = t->axes;
+    const int64_t k = rest->offsets.shape[0] - 1;
     double *stops = times + 2 * k, latest = 0.0;
     for (int64_t axis = 0; axis < k; axis++) {
         latest = span_max(latest, stops[axis]);
     }
     dwell = begun ? span_min(dwell, latest) : dwell;
     for (int64_t axis = 0; axis < k; axis++) {
-        const int64_t last = t->rest.offsets.data[axis + 1] - 1;
-        double *when = t->rest.timing.data + last * TIMING_SIZE;
+        const int64_t last = rest->offsets.data[axis + 1] - 1;
+        double *when = rest->timing.data + last * TIMING_SIZE;
         if (begun && when[TIMING_LENGTH] < dwell) {
             when[TIMING_LENGTH] = dwell;
             stops[axis] = when[TIMING_START] + dwell;
@@ -147,17 +144,18 @@ static void rest_in_dwell(replanning *t, int begun, double dwell, double *times)
 
 /* Whether the rest of the old plan ends in the target with its dwell, the axes together if asked;
    its times (3, k). */
-static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double time,
-                         const segfmu_problem *p, const double *targets, double *times)
+static int ends_as_asked(const replanning *t, const piece_list *rest, const segfmu_trajectory *old,
+                         double time, const segfmu_problem *p, const double *targets, double *times)
 {
     const int64_t k = t->axes;
+    double *space = t->space, *ends = take(&space, k * DELAYED_STATE_SIZE);
     const double *arrivals = old->times + (old->points - 1) * k;
     const double same = SAME_TIME * old->duration;
     double *stops = times + 2 * k;
     int begun = 0;
-    segfmu_end_rest(t);
+    segfmu_end_pieces(rest, ends);
     for (int64_t axis = 0; axis < k; axis++) {
-        const double *end = t->ends + axis * DELAYED_STATE_SIZE;
+        const double *end = ends + axis * DELAYED_STATE_SIZE;
         stops[axis] = end[DELAYED_STATE_DELAY];
         if (!same_state(t, axis, old->duration, end, targets + axis * (t->smoothness + 1))
             || fabs(old->ends[axis] - arrivals[axis] - p->dwells[1]) > same) {
@@ -165,7 +163,7 @@ static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double tim
         }
         begun = begun || (p->dwells[1] > 0.0 && arrivals[axis] < time);
     }
-    rest_in_dwell(t, begun, p->dwells[1], times);
+    rest_in_dwell(rest, begun, p->dwells[1], times);
     const int meets = p->synchronization != SYNCHRONIZATION_NONE || p->duration > 0.0;
     const double together = p->duration > 0.0 ? p->duration : stops[0];
     for (int64_t axis = 0; axis < k && meets; axis++) {
@@ -176,41 +174,41 @@ static int ends_as_asked(replanning *t, const segfmu_trajectory *old, double tim
     return 1;
 }
 
-/* The rest of the old plan, if it does what the problem asks for; t->rest stays as it is. Its times
-   (3, k) have room behind them for how long it is outside the limits. */
+/* The rest of the old plan, if it does what the problem asks for. Its times (3, k) have room behind them
+   for how long it is outside the limits. */
 static int keep_rest(const replanning *t, const segfmu_trajectory *old, double time,
-                     const segfmu_problem *p, const double *full, double *times, double *space,
+                     const segfmu_problem *p, const double *full, double *times,
                      segfmu_trajectory *trajectory)
 {
     const int64_t k = t->axes, width = t->smoothness + 1;
-    double *states = take(&space, 2 * k * width), *targets = states + k * width;
     replanning kept = *t;
+    double *states = take(&kept.space, 2 * k * width), *targets = states + k * width;
     kept.outside = times + 3 * k;
     if (p->points != 2 || p->sample_time > 0.0) {
         return PLAN_STATUS_NO_PROFILE;
     }
     /* the plan in the trajectory no longer needs its leads */
-    kept.rest = t->leads;
-    segfmu_cut_rest(old, time, &kept.rest);
-    segfmu_meet_ends(old->duration, p->dwells[1], kept.rest.timing, kept.rest.offsets);
-    if (!ends_as_asked(&kept, old, time, p, full + k * width, times)) {
+    piece_list rest = segfmu_part(t, PLAN_PART_LEADS);
+    segfmu_cut_rest(old, time, &rest);
+    segfmu_meet_ends(old->duration, p->dwells[1], rest.timing, rest.offsets);
+    if (!ends_as_asked(&kept, &rest, old, time, p, full + k * width, times)) {
         return PLAN_STATUS_NO_PROFILE;
     }
     memcpy(states, full, (size_t)(2 * k * width) * sizeof *states);
-    int status = segfmu_judge_pieces(&kept, &kept.rest, 2, states, times, space, trajectory);
+    int status = segfmu_judge(&kept, &rest, 2, states, times, trajectory);
     if (status == PLAN_STATUS_PLANNED) {
         return status;
     }
     /* rounding errors of a whole motion may be large against what is left of it */
-    segfmu_anchor_plan(matrix(targets, k, width), t->limits, kept.rest.timing,
-                       kept.rest.coefficients, kept.rest.offsets);
-    segfmu_start_states(&kept.rest, t->smoothness, states);
+    segfmu_anchor_plan(matrix(targets, k, width), t->limits, rest.timing, rest.coefficients,
+                       rest.offsets);
+    segfmu_start_states(&rest, t->smoothness, states);
     for (int64_t axis = 0; axis < k; axis++) {
         if (!same_state(t, axis, old->duration, states + axis * width, full + axis * width)) {
             return PLAN_STATUS_NO_PROFILE;
         }
     }
-    return segfmu_judge_pieces(&kept, &kept.rest, 2, states, times, space, trajectory);
+    return segfmu_judge(&kept, &rest, 2, states, times, trajectory);
 }
 
 int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_problem *problem,
@@ -232,15 +230,8 @@ int segfmu_replan(const segfmu_trajectory *old, double time, const segfmu_proble
     if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
-    const double *targets = full + k * (t.smoothness + 1);
-    const int apart = problem->synchronization == SYNCHRONIZATION_NONE && problem->duration == 0.0;
-    const double meeting = apart ? -1.0 : problem->duration;
-    if (segfmu_settle_axes(&t, LEAD_STAGE_ACCELERATION, problem->shape, meeting, targets) >= 0) {
-        status = PLAN_STATUS_NO_PROFILE;
-    } else {
-        status = plan_after(&t, problem, full, times, t.space, trajectory);
-    }
-    int keeps = keep_rest(&t, old, time, problem, full, kept_times, t.space, &kept);
+    status = plan_onward(&t, problem, full, NULL, times, trajectory);
+    int keeps = keep_rest(&t, old, time, problem, full, kept_times, &kept);
     if (keeps == PLAN_STATUS_PLANNED
         && (status < 0 || !(trajectory->duration < SHORTER * kept.duration))) {
         *trajectory = kept;

@@ -1,54 +1,81 @@
 /* Reaching a velocity: leads to it, which is then held until all axes have it. */
 #include "lead.h"
 
-/* What each axis holds after its lead to a velocity, with times and the state where that ends;
-   anchors the leads. The velocities are those of the last states. */
-static void hold_velocities(replanning *t, int anchored, double *states, double *times)
+/* What each axis holds after its lead to a velocity, which ends in a state of ends (k, DelayedState),
+   with times and the state where that ends; anchors the leads. The velocities are those of the last
+   states. */
+static void hold_velocities(const replanning *t, int anchored, double *ends, double *states,
+                            double *times)
 {
     const int64_t k = t->axes, n = t->smoothness;
+    const piece_list leads = segfmu_part(t, PLAN_PART_LEADS);
+    const piece_list holds = segfmu_part(t, PLAN_PART_BEHIND);
     double duration = 0.0;
     for (int64_t axis = 0; axis < k; axis++) {
-        duration = span_max(duration, t->ends[axis * DELAYED_STATE_SIZE + DELAYED_STATE_DELAY]);
+        duration = span_max(duration, ends[axis * DELAYED_STATE_SIZE + DELAYED_STATE_DELAY]);
     }
     for (int64_t axis = 0; axis < k; axis++) {
-        double *end = t->ends + axis * DELAYED_STATE_SIZE;
+        double *end = ends + axis * DELAYED_STATE_SIZE;
         const double hold = duration - end[DELAYED_STATE_DELAY];
-        double *piece = t->plan.coefficients.data + axis * 2 * n;
+        double *piece = holds.coefficients.data + axis * 2 * n;
         double *last = states + (k + axis) * (n + 1);
         const double velocity = last[WAYPOINT_STATE_VELOCITY];
-        t->plan.timing.data[axis * TIMING_SIZE + TIMING_START] = end[DELAYED_STATE_DELAY];
-        t->plan.timing.data[axis * TIMING_SIZE + TIMING_LENGTH] = hold;
-        t->plan.offsets.data[axis] = axis;
+        holds.timing.data[axis * TIMING_SIZE + TIMING_START] = end[DELAYED_STATE_DELAY];
+        holds.timing.data[axis * TIMING_SIZE + TIMING_LENGTH] = hold;
+        holds.offsets.data[axis] = axis;
         for (int64_t i = 0; i < 2 * n; i++) {
             piece[i] = 0.0;
         }
-        end[WAYPOINT_STATE_VELOCITY] = velocity;
-        end[WAYPOINT_STATE_ACCELERATION] = 0.0;
         piece[PIECE_POSITION] = end[WAYPOINT_STATE_POSITION];
         piece[PIECE_VELOCITY] = velocity;
         last[WAYPOINT_STATE_POSITION] = end[WAYPOINT_STATE_POSITION] + velocity * hold;
         times[axis] = 0.0;
         times[k + axis] = times[2 * k + axis] = duration;
         if (anchored) {
-            array_int64_t_1d part = {t->leads.offsets.data + axis, {2}};
-            segfmu_anchor_plan(matrix(end, 1, STATE), span_rows(&t->limits, axis, axis + 1),
-                               t->leads.timing, t->leads.coefficients, part);
+            double there[] = {end[WAYPOINT_STATE_POSITION], velocity, 0.0};
+            array_int64_t_1d part = {leads.offsets.data + axis, {2}};
+            segfmu_anchor_plan(matrix(there, 1, STATE), span_rows(&t->limits, axis, axis + 1),
+                               leads.timing, leads.coefficients, part);
         }
     }
-    t->plan.offsets.data[k] = k;
+    holds.offsets.data[k] = k;
     if (anchored) {
-        segfmu_start_states(&t->leads, n, states);
+        segfmu_start_states(&leads, n, states);
     }
 }
 
 /* Take what is left of the old plan as leads; 0 if it does not end at the velocities. */
-static int follow_rest(replanning *t, const double *targets)
+static int follow_rest(const replanning *t, const double *targets, double *ends)
 {
     const int64_t k = t->axes;
-    t->leads = t->rest;
-    segfmu_end_rest(t);
+    const piece_list leads = segfmu_part(t, PLAN_PART_LEADS);
+    segfmu_follow_rest(t);
+    segfmu_end_pieces(&leads, ends);
     return segfmu_are_at_velocities(matrix((double *)targets, k, t->smoothness + 1), t->limits,
-                                    matrix(t->ends, k, DELAYED_STATE_SIZE));
+                                    matrix(ends, k, DELAYED_STATE_SIZE));
+}
+
+/* Leads between the states (2, k, n + 1), with their ends (k, DelayedState); the first axis that has
+   none, or -1. */
+static int64_t find_leads(const replanning *t, double *states, double *ends)
+{
+    const int64_t k = t->axes;
+    const piece_list rest = segfmu_part(t, PLAN_PART_FOLLOWED);
+    const piece_list leads = segfmu_part(t, PLAN_PART_LEADS);
+    double *space = t->space, *found = take(&space, k * LEAD_END_SIZE);
+    double *task = t->lead.data + LEAD_WORK_TASK * LEAD_WORK_COLUMNS;
+    task[LEAD_TASK_ORDER] = LEAD_STAGE_VELOCITY;
+    task[LEAD_TASK_MEETING] = -1.0;
+    task[LEAD_TASK_SHAPE] = SHAPE_PLATEAU;
+    const int64_t failed = segfmu_find_leads(
+        cuboid(states, 2, k, t->smoothness + 1), t->limits, t->lower, rest.offsets, rest.timing,
+        rest.coefficients, matrix(found, k, LEAD_END_SIZE), t->lead, leads.timing,
+        leads.coefficients, leads.offsets);
+    for (int64_t axis = 0; axis < k; axis++) {
+        memcpy(ends + axis * DELAYED_STATE_SIZE, found + axis * LEAD_END_SIZE,
+               DELAYED_STATE_SIZE * sizeof *ends);
+    }
+    return failed;
 }
 
 /* The states (2, k, n + 1): now, and there with the velocities. */
@@ -94,11 +121,27 @@ static int check_velocities(const replanning *t, const double *velocities, doubl
     return PLAN_STATUS_PLANNED;
 }
 
-/* The trajectory of leads to velocities, from the rest of the old plan or without it. */
-static int join_velocities(replanning *t, int resting, const double *targets, double *states,
-                           double *times, segfmu_trajectory *trajectory)
+/* The trajectory of leads to velocities and what is held behind them, judged. */
+static int join_holds(const replanning *t, double *states, double *times,
+                      segfmu_trajectory *trajectory)
 {
-    const int64_t failed = segfmu_settle_axes(t, LEAD_STAGE_VELOCITY, SHAPE_PLATEAU, -1.0, targets);
+    const piece_list leads = segfmu_part(t, PLAN_PART_LEADS);
+    const piece_list holds = segfmu_part(t, PLAN_PART_BEHIND);
+    const piece_list whole = segfmu_part(t, PLAN_PART_WHOLE);
+    segfmu_join_plans(leads.timing, leads.coefficients, leads.offsets, holds.timing,
+                      holds.coefficients, holds.offsets, whole.timing, whole.coefficients,
+                      whole.offsets);
+    return segfmu_judge(t, &whole, 2, states, times, trajectory);
+}
+
+/* The trajectory of leads to velocities, from the rest of the old plan or without it. */
+static int reach(const replanning *t, int resting, double *states, double *times,
+                 segfmu_trajectory *trajectory)
+{
+    replanning inner = *t;
+    double *ends = take(&inner.space, t->axes * DELAYED_STATE_SIZE);
+    const double *targets = states + t->axes * (t->smoothness + 1);
+    const int64_t failed = find_leads(&inner, states, ends);
     if (failed >= 0) {
         trajectory->report[REFUSAL_AXIS] = (double)failed;
         return PLAN_STATUS_NO_PROFILE;
@@ -107,11 +150,11 @@ static int join_velocities(replanning *t, int resting, const double *targets, do
     /* anchored: rounding errors of the whole old plan against its last bit; then leads that are
        shorter than the clock resolves */
     for (int attempt = 0; attempt < 3 && status == PLAN_STATUS_CHECK_FAILED; attempt++) {
-        if (attempt == 2 && !(resting && follow_rest(t, targets))) {
+        if (attempt == 2 && !(resting && follow_rest(t, targets, ends))) {
             break;
         }
-        hold_velocities(t, attempt > 0, states, times);
-        status = segfmu_join_leads(t, 2, states, times, t->space, trajectory);
+        hold_velocities(t, attempt > 0, ends, states, times);
+        status = join_holds(t, states, times, trajectory);
     }
     return status;
 }
@@ -127,24 +170,20 @@ int segfmu_reach_velocity(const segfmu_trajectory *old, double time, const doubl
     replanning t = segfmu_begin_replanning(old, time, 2, limits, lower, space);
     const int64_t k = t.axes, n = t.smoothness;
     double *times = take(&t.space, 3 * k), *states = take(&t.space, 2 * k * (n + 1));
-    const double *targets = states + k * (n + 1);
     set_states(&t, velocities, states);
     int status = check_velocities(&t, velocities, states, trajectory->report);
     if (status != PLAN_STATUS_PLANNED) {
         return status;
     }
-    const piece_list leads = t.leads;
-    status = join_velocities(&t, 1, targets, states, times, trajectory);
+    status = reach(&t, 1, states, times, trajectory);
     if (status == PLAN_STATUS_CHECK_FAILED) {
         /* what is left of the old plan need not keep the new limits */
-        for (int64_t axis = 0; axis <= k; axis++) {
-            t.rest.offsets.data[axis] = 0;
-        }
-        t.leads = leads;
+        const piece_list rest = segfmu_part(&t, PLAN_PART_FOLLOWED);
+        memset(rest.offsets.data, 0, (size_t)(k + 1) * sizeof *rest.offsets.data);
         set_states(&t, velocities, states);
         status = check_velocities(&t, velocities, states, trajectory->report);
         if (status == PLAN_STATUS_PLANNED) {
-            status = join_velocities(&t, 0, targets, states, times, trajectory);
+            status = reach(&t, 0, states, times, trajectory);
         }
     }
     return status;

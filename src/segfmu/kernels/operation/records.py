@@ -388,7 +388,6 @@ class OperationWork(Record):
     FAULT = field("where a path meets something", of=SpaceFault)
     TIMES = field("waypoint times, by axis", size=3, of=Vector)
     DWELLS = field("at start and target", of=Vector)
-    OPTIONS = field("how a target is planned", of=PlanOptions)
     AXES = field("the axes", size=3, of=Axis)
     PIECE = field("a piece of an axis", of=Column)
     REACH = field("ranges", size=Reach.SIZE, of=Range)

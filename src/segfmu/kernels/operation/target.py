@@ -2,35 +2,27 @@
 
 from segfmu.kernels.operation.aim import limited_velocity
 from segfmu.kernels.operation.attempts import set_lower_of
-from segfmu.kernels.operation.plans import plan_pieces
+from segfmu.kernels.operation.plans import has_room
 from segfmu.kernels.operation.records import (
     Aim,
     HeldVelocity,
     Known,
     Operation,
-    OperationRows,
     OperationWork,
     Slot,
     Way,
 )
-from segfmu.kernels.operation.velocity import (
-    lead_between,
-    reach_velocities,
-    set_lead,
-    set_motion,
-)
+from segfmu.kernels.operation.velocity import lead_between, reach_velocities, set_motion
 from segfmu.kernels.planner.plan import plan_phases
 from segfmu.kernels.planner.records import (
     DelayedState,
     Lower,
     PlanOptions,
     PlanStatus,
-    Synchronization,
     WaypointState,
 )
-from segfmu.kernels.settling.records import LeadStage, LeadWork
-from segfmu.kernels.trajectory.cut import join_plans
-from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
+from segfmu.kernels.settling.onward import join_behind, lead_to_plan
+from segfmu.kernels.settling.records import LeadTask, LeadWork
 
 
 def set_ends(operation: 'float[:,:]', states: 'float[:,:,:]') -> None:
@@ -51,12 +43,12 @@ def set_place(operation: 'float[:,:]', states: 'float[:,:,:]') -> None:
         states[1, axis, WaypointState.POSITION] = operation[Operation.AIM, Aim.VALUE + axis]
 
 
-def set_options(known: 'float[:,:]', work: 'float[:,:]') -> None:
+def set_options(known: 'float[:,:]', lead: 'float[:,:]', work: 'float[:,:]') -> None:
     """A target is reached as soon as possible."""
     for i in range(PlanOptions.SIZE):
-        work[OperationWork.OPTIONS, i] = known[Known.OPTIONS, i]
-    work[OperationWork.OPTIONS, PlanOptions.SAMPLE_TIME] = 0.0
-    work[OperationWork.OPTIONS, PlanOptions.DURATION] = 0.0
+        lead[LeadWork.OPTIONS, i] = known[Known.OPTIONS, i]
+    lead[LeadWork.OPTIONS, PlanOptions.SAMPLE_TIME] = 0.0
+    lead[LeadWork.OPTIONS, PlanOptions.DURATION] = 0.0
     for i in range(2):
         work[OperationWork.DWELLS, i] = 0.0
 
@@ -71,7 +63,7 @@ def seek_target(
     limits as those of `operate`. A load that is faster than they permit slows down to them first,
     or farther, so that it can stop before the target: else it would have to come back.
     """
-    set_options(known, work)
+    set_options(known, lead, work)
     found = False
     if is_too_fast(operation, limits):
         set_lower_of(0, operation, limits, known)
@@ -82,7 +74,7 @@ def seek_target(
         set_lower_of(1, operation, limits, known)
     else:
         found = lead_to_target(
-            operation, limits[1, :, :], timing, coefficients, offsets, states, lead, work
+            operation, limits[1, :, :], timing, coefficients, offsets, states, lead
         )
     if not found:
         return False
@@ -91,10 +83,8 @@ def seek_target(
         limits[1, :, :], operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients,
         offsets, states, cells, lead, work,
     )
-    rows = plan_pieces(Slot.LEADS, offsets) + plan_pieces(Slot.BEHIND, offsets)
-    if not found or rows > OperationRows.KEPT:
+    if not found or not has_room(Slot.TRIED, offsets):
         return False
-    join_behind(timing, coefficients, offsets)
     for axis in range(3):
         for i in range(HeldVelocity.SIZE):
             operation[Operation.TRIED + axis, i] = 0.0
@@ -146,16 +136,12 @@ def end_ways_at_target(operation: 'float[:,:]') -> None:
 def lead_to_target(
     operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
     coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
-    work: 'float[:,:]',
 ) -> bool:
     """Find leads to where the planner takes over."""
-    options = work[OperationWork.OPTIONS, :]
-    meeting = 0.0
-    if int(options[PlanOptions.SYNCHRONIZATION]) == Synchronization.NONE:
-        meeting = -1.0
     set_motion(operation, states)
     set_place(operation, states)
-    set_lead(LeadStage.ACCELERATION, int(options[PlanOptions.SHAPE]), meeting, lead)
+    lead_to_plan(lead)
+    lead[LeadWork.TASK, LeadTask.BRAKES] = 1.0
     return lead_between(
         Slot.REST, Slot.LEADS, operation[Operation.LEAD_ENDS:Operation.STOP_ENDS, :], limits,
         operation[Operation.LOWER:Operation.LEAD_ENDS, :], timing, coefficients, offsets, states,
@@ -168,35 +154,20 @@ def plan_target(
     coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]',
     cells: 'float[:,:,:]', lead: 'float[:,:]', work: 'float[:,:]',
 ) -> bool:
-    """Plan from the ends of leads to the target in `states`, into the slot BEHIND."""
+    """Plan from the ends of leads to the target in `states`, and join both in the slot TRIED."""
     dwells = work[OperationWork.DWELLS, :]
     axes = work[OperationWork.AXES:OperationWork.PIECE, :]
     status = plan_phases(
-        states, dwells, limits, lower, work[OperationWork.OPTIONS, :], axes, cells,
+        states, dwells, limits, lower, lead[LeadWork.OPTIONS, :], axes, cells,
         lead[LeadWork.PLAN:LeadWork.EXPANSION, :],
     )
-    if status < PlanStatus.PLANNED or count_pieces(axes, cells) > timing.shape[1]:
+    if status < PlanStatus.PLANNED:
         return False
-    place = Slot.BEHIND * Slot.OFFSETS
-    expand_plan(
-        states, dwells, axes, cells, timing[Slot.BEHIND, :, :], coefficients[Slot.BEHIND, :, :],
-        offsets[place:place + Slot.OFFSETS], work[OperationWork.TIMES:OperationWork.DWELLS, :],
-        lead[LeadWork.EXPANSION:LeadWork.CHECK, :],
-    )
-    return True
-
-
-def join_behind(
-    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]'
-) -> None:
-    """Join leads and the plan behind them in the slot TRIED."""
-    leads = Slot.LEADS * Slot.OFFSETS
-    behind = Slot.BEHIND * Slot.OFFSETS
-    tried = Slot.TRIED * Slot.OFFSETS
-    join_plans(
-        timing[Slot.LEADS, :, :], coefficients[Slot.LEADS, :, :],
-        offsets[leads:leads + Slot.OFFSETS], timing[Slot.BEHIND, :, :],
-        coefficients[Slot.BEHIND, :, :], offsets[behind:behind + Slot.OFFSETS],
-        timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
-        offsets[tried:tried + Slot.OFFSETS],
+    # the slots REST to TRIED are in the order of `PlanPart`
+    first = Slot.REST * Slot.OFFSETS
+    last = Slot.NONE * Slot.OFFSETS
+    return join_behind(
+        states, dwells, axes, cells, timing[Slot.REST:Slot.NONE, :, :],
+        coefficients[Slot.REST:Slot.NONE, :, :], offsets[first:last],
+        work[OperationWork.TIMES:OperationWork.DWELLS, :], lead,
     )

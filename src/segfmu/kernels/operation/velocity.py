@@ -16,19 +16,11 @@ from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
 
-def clear_lead(lead: 'float[:,:]') -> None:
-    """Clear the work space, so that nothing depends on what was before."""
-    for row in range(lead.shape[0]):
-        for i in range(lead.shape[1]):
-            lead[row, i] = 0.0
-
-
-def set_lead(order: int, shape: int, meeting: float, lead: 'float[:,:]') -> None:
-    """Set what leads are searched for, see `LeadTask`."""
-    clear_lead(lead)
-    lead[LeadWork.TASK, LeadTask.ORDER] = order
-    lead[LeadWork.TASK, LeadTask.MEETING] = meeting
-    lead[LeadWork.TASK, LeadTask.SHAPE] = shape
+def lead_to_velocity(lead: 'float[:,:]') -> None:
+    """Search for leads to velocities, see `LeadTask`."""
+    lead[LeadWork.TASK, LeadTask.ORDER] = LeadStage.VELOCITY
+    lead[LeadWork.TASK, LeadTask.MEETING] = -1.0
+    lead[LeadWork.TASK, LeadTask.SHAPE] = Shape.PLATEAU
     lead[LeadWork.TASK, LeadTask.BRAKES] = 1.0
 
 
@@ -39,7 +31,7 @@ def lead_between(
 ) -> bool:
     """Find leads between the `states` into a slot; False if an axis has none.
 
-    They may follow the plan in the slot `source`. `set_lead` tells what they are.
+    They may follow the plan in the slot `source`. The row TASK of `lead` tells what they are.
     """
     first = source * Slot.OFFSETS
     place = slot * Slot.OFFSETS
@@ -67,7 +59,7 @@ def lead_of(
     """Find the lead of one axis into a slot, behind those of the axes before; False: none.
 
     It goes between the `states` of the first axis, and may follow the plan in the slot `source`.
-    `set_lead` tells what it is. ends, limits and lower have the row of the axis alone.
+    The row TASK of `lead` tells what it is. ends, limits and lower have the row of the axis alone.
     """
     rows = timing.shape[1]
     first = offsets[source * Slot.OFFSETS + axis]
@@ -183,7 +175,7 @@ def reach_velocities(
     way, TRIED_WAYS, is too short. What is built up slowly must not turn back meanwhile, as it does
     where a quick acceleration can only be left slowly. False if there are none.
     """
-    set_lead(LeadStage.VELOCITY, Shape.PLATEAU, -1.0, lead)
+    lead_to_velocity(lead)
     tries = 5
     for axis in range(3):
         for i in range(tries):

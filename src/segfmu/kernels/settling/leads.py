@@ -22,6 +22,13 @@ from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.records import Brake
 
 
+def clear_search(lead: 'float[:,:]') -> None:
+    """Clear what a search writes before it reads, so that nothing depends on what was before."""
+    for row in range(LeadWork.NOW, LeadWork.PLAN):
+        for i in range(lead.shape[1]):
+            lead[row, i] = 0.0
+
+
 def set_start(
     axis: int, start: 'float[:,:]', lower: 'float[:,:]', lead: 'float[:,:]'
 ) -> None:
@@ -153,6 +160,7 @@ def find_leads(
     rows = timing.shape[0]
     found = rows - LeadRows.ALL
     longest = max(latest, 0.0)
+    clear_search(lead)
     if waits:
         longest = NEVER
     for attempt in range(2 * axes):
@@ -205,6 +213,7 @@ def find_brakes(
     (LeadWork), timing and coefficients (LeadRows.ALL rows) are work space.
     """
     found = False
+    clear_search(lead)
     for axis in range(start.shape[0]):
         set_start(axis, start, lower, lead)
         count = find_brake(False, limits[axis, :], lead, timing, coefficients)

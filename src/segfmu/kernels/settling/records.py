@@ -1,8 +1,16 @@
 """Records of settling: a full state of an axis, and the work space of the search for a lead."""
 
-from segfmu.kernels.planner.records import Axis, DelayedState, Lower, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import (
+    Axis,
+    DelayedState,
+    Lower,
+    Phase,
+    PlanOptions,
+    PlanWork,
+    Problem,
+)
 from segfmu.kernels.records import Codes, Record, field
-from segfmu.kernels.trajectory.records import Brake, Check, Expansion
+from segfmu.kernels.trajectory.records import Brake, Check, Expansion, Judging
 
 
 class Chain(Record):
@@ -34,6 +42,24 @@ class Lead(Record):
     GAIN = field("a lead is better if it takes less than this share of its time")
 
 
+class Done(Codes):
+    """What of a motion from any state is there already."""
+
+    NOTHING = 0
+    LEADS = 1
+    PHASES = 2
+
+
+class PlanPart(Codes):
+    """Parts of a motion from any state, and their number: each has its rows of the arrays."""
+
+    FOLLOWED = 0
+    LEADS = 1
+    BEHIND = 2
+    WHOLE = 3
+    COUNT = 4
+
+
 class LeadTask(Record):
     """What leads are searched for."""
 
@@ -41,6 +67,8 @@ class LeadTask(Record):
     MEETING = field("time at which axes that meet do so at the earliest; below 0: none waits", "s")
     SHAPE = field("of the ramps, see Shape")
     BRAKES = field("1: a state that cannot keep the limits is brought inside first")
+    DONE = field("what is there already, see Done")
+    FAILED = field("written: first axis that has no lead, -1: all have one")
 
 
 class LeadEnd(DelayedState):
@@ -64,6 +92,9 @@ class LeadRows(Codes):
 class LeadWork(Record):
     """Rows of the work space in which one axis settles."""
 
+    TASK = field("what leads are searched for", of=LeadTask)
+    OPTIONS = field("how to plan behind leads", of=PlanOptions)
+    JUDGING = field("how to check the plan", of=Judging)
     NOW = field("state at the start", of=Chain)
     GIVEN = field("state before a brake", of=Chain)
     BRAKED = field("state that a brake has reached", of=Chain)
@@ -81,7 +112,6 @@ class LeadWork(Record):
     ENDS = field("where stages end", of=Ends)
     BEST_ENDS = field("where the stages of the best lead end", of=Ends)
     BEST = field("the best lead", of=Lead)
-    TASK = field("what leads are searched for", of=LeadTask)
     TARGET = field("boundary problem of the plan that follows, from the position 0", of=Problem)
     PROBLEM = field("boundary problem of a stage, or after settling", of=Problem)
     PHASES = field("phases of a stage, or after settling", size=33, of=Phase)

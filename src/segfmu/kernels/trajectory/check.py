@@ -384,7 +384,7 @@ def check_motion(
         point = min(j, points - 1)
         row = find_piece(times[j, axis], timing, first, last)
         local = switching_time(times[j, axis], times[points, axis], timing, row)
-        for d in range(states.shape[2]):
+        for d in range(min(states.shape[2], limits.shape[1])):
             value = evaluate_piece(coefficients, row, width, local, d)
             scale = work[Check.PEAKS, d]
             if d > 0 and limits[axis, d - 1] > 0.0:

@@ -24,7 +24,7 @@ def plan_motion(
     """Plan, expand and check a motion; returns the status (PlanStatus).
 
     states, dwells, limits, lower, axes and cells are those of `plan_phases`, the others those of
-    `expand_plan`. work (MotionWork rows, MotionWork columns) brings the options and the tolerance
+    `expand_plan`. work (MotionWork rows, MotionWork columns) brings the options and the tolerances
     of the check. MORE_PIECES: the plan is made, and `expand_motion` will do the rest with as many
     rows as `count_pieces` says. After a refusal the row REFUSAL of the planner's rows says where.
     """
@@ -64,10 +64,10 @@ def expand_motion(
         states, dwells, axes, cells, timing, coefficients, offsets, times,
         work[MotionWork.EXPANSION:MotionWork.CHECK, :],
     )
-    tolerance = work[MotionWork.JUDGING, Judging.TOLERANCE]
+    judging = work[MotionWork.JUDGING, :]
     wrong = check_plan(
-        states, times, timing, coefficients, offsets, limits, lower, tolerance,
-        0.5 * tolerance, work[MotionWork.CHECK:MotionWork.SIZE, :],
+        states, times, timing, coefficients, offsets, limits, lower, judging[Judging.TOLERANCE],
+        judging[Judging.JOINTS], work[MotionWork.CHECK:MotionWork.SIZE, :],
     )
     if wrong > 0:
         return PlanStatus.CHECK_FAILED

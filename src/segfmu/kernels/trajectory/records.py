@@ -95,7 +95,8 @@ class Check(Record):
 class Judging(Record):
     """How a plan is checked."""
 
-    TOLERANCE = field("relative tolerance of limits, jumps and waypoints")
+    TOLERANCE = field("relative tolerance of limits")
+    JOINTS = field("relative tolerance of jumps and waypoints, see `check_plan`")
 
 
 class MotionWork(Record):
