@@ -864,12 +864,12 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
 static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t first_free_stage(int64_t order);
-static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool leads_in(double time, array_double_2d lead);
+static int64_t first_free_stage(int64_t order);
+static void try_soonest(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_soonest(int64_t order, double within_0001, int64_t first, int64_t last, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static bool jumps_often(array_double_2d lead);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -880,6 +880,8 @@ static bool permits_levels(int64_t order, array_double_2d lead);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
+static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -26923,7 +26925,7 @@ static bool is_better(double time, array_double_2d lead)
     double best;
     bool result;
     best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
-    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(19), INT64_C(3))));
+    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(19), INT64_C(4))));
     return result;
 }
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26951,7 +26953,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
     return 1;
 }
 static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -27100,6 +27102,12 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
         }
     }
 }
+static bool leads_in(double time, array_double_2d lead)
+{
+    bool result;
+    result = (0.0 <= (*cspan_at(&lead, INT64_C(19), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) <= time);
+    return result;
+}
 static int64_t first_free_stage(int64_t order)
 {
     if (order == INT64_C(1))
@@ -27108,7 +27116,7 @@ static int64_t first_free_stage(int64_t order)
     }
     return order;
 }
-static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void try_soonest(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     array_double_1d first;
     int64_t stage;
@@ -27128,7 +27136,7 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
     bound = (*cspan_at(&lead, INT64_C(15), stage));
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        if ((time >= 1e+300) || ((*cspan_at(&first, INT64_C(4))) != 0.0))
+        if ((time >= 1e+300) || ((*cspan_at(&first, INT64_C(4))) != 0.0) || leads_in(within_0001, lead))
         {
             break;
         }
@@ -27141,12 +27149,6 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
             break;
         }
     }
-}
-static bool leads_in(double time, array_double_2d lead)
-{
-    bool result;
-    result = (0.0 <= (*cspan_at(&lead, INT64_C(19), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) <= time);
-    return result;
 }
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -27165,23 +27167,21 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
         }
     }
 }
-static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_soonest(int64_t order, double within_0001, int64_t first, int64_t last, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    double steep;
     int64_t i;
+    double steep;
     double before;
-    double chosen;
-    chosen = 1.0;
-    steep = 1.0;
-    for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
+    for (i = first; i < last; i += INT64_C(1))
     {
+        steep = pow(10.0, (double)(i));
         set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 0.99;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 0.99;
         before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
-        try_soonest(order, limits, lead, timing, coefficients);
+        try_soonest(order, within_0001, limits, lead, timing, coefficients);
         if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) != before)
         {
-            chosen = steep;
+            (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = steep;
         }
         else if (i > INT64_C(1))
         {
@@ -27191,22 +27191,15 @@ static double choose_steepness(int64_t order, double within_0001, array_double_1
         {
             break;
         }
-        steep = 10.0 * steep;
     }
-    return chosen;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
 }
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    int64_t i;
     double steep;
+    int64_t i;
     double before;
-    soonest_ends(order, lead);
-    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
-    {
-        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
-    }
-    steep = choose_steepness(order, within_0001, limits, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
+    steep = (*cspan_at(&lead, INT64_C(19), INT64_C(3)));
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         if (is_settled(lead) || leads_in(within_0001, lead))
@@ -27364,7 +27357,7 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
     steep = 1.0;
     found = 1e+300;
     (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
@@ -27380,13 +27373,13 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
         else
         {
             level = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
-            found = follow_level(order, level, 1e+300, limits, lead, timing, coefficients);
+            found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
         }
         if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) == before))
         {
             break;
         }
-        (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 0.99;
+        (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 0.99;
         steep = 10.0 * steep;
     }
 }
@@ -27505,17 +27498,53 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
     }
     return 1;
 }
+static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    double before;
+    double level;
+    bool result;
+    if ((order == INT64_C(1)) || jumps_often(lead) || (!permits_levels(order, lead)))
+    {
+        return 0;
+    }
+    before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+    level = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
+    try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+    result = (*cspan_at(&lead, INT64_C(19), INT64_C(0))) != before;
+    return result;
+}
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t i;
+    soonest_ends(order, lead);
+    for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
+    }
+    search_soonest(order, within_0001, INT64_C(0), INT64_C(1), limits, lead, timing, coefficients);
+    if (leads_in(within_0001, lead))
+    {
+        return;
+    }
+    if (!goes_on_at_level(order, limits, lead, timing, coefficients))
+    {
+        search_soonest(order, within_0001, INT64_C(1), INT64_C(4), limits, lead, timing, coefficients);
+        search_ends(order, within_0001, limits, lead, timing, coefficients);
+    }
+}
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     int64_t i;
-    double time;
+    if (leads_in(within_0001, lead) && (!jumps_often(lead)))
+    {
+        return;
+    }
     time_anew(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(3), i));
     }
-    time = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
-    if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
+    if (permits_levels(order, lead) && (!leads_in(within_0001, lead)))
     {
         search_levels(order, limits, lead, timing, coefficients);
     }
@@ -27588,6 +27617,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     bool result;
     (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = -1.0;
     (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = 0.0;
+    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0;
     brakes = (*cspan_at(&lead, INT64_C(0), INT64_C(3))) != 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
@@ -27602,7 +27632,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
             search_stages(order, within_0001, limits, lead, timing, coefficients);
             if (jumps_often(lead))
             {
-                (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0 - 1e-12;
+                (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
                 follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
             }
             improve_lead(order, within_0001, limits, lead, timing, coefficients);

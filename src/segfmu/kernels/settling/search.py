@@ -2,9 +2,9 @@
 
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
-other ends are free. The soonest ends, and the level that the following profile wants first, tell
-how steep the rises of derivatives have to be that nothing limits. Then the ends are searched for by
-halved steps, or over a grid where the soonest are the best. The search counts with profiles of
+other ends are free. The soonest ends, and the level that the following profile wants first, also
+tell how steep the rises of derivatives have to be that nothing limits. Other ends are searched for
+by halved steps, or over a grid where the soonest are the best. The search counts with profiles of
 ramps alone, which are found sooner.
 """
 
@@ -91,8 +91,14 @@ def search_end(
             step = 0.5 * step
 
 
+def leads_in(time: float, lead: 'float[:,:]') -> bool:
+    """Whether there is a lead that takes `time` [s] at most."""
+    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
+
+
 def try_soonest(
     order: int,
+    within: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
@@ -100,7 +106,8 @@ def try_soonest(
 ) -> None:
     """Try the soonest ends of all stages, and those at the first level of what follows.
 
-    The level of the profile behind such a lead is tried in turn, as long as that shortens it.
+    The level of the profile behind such a lead is tried in turn, as long as that shortens it, and
+    it takes more than `within` [s].
     """
     first = lead[LeadWork.PHASES, :]
     stage = first_free_stage(order)
@@ -110,7 +117,7 @@ def try_soonest(
         return
     bound = lead[LeadWork.LIMITS, stage]
     for i in range(FOLLOWED):
-        if time >= NEVER or first[Phase.ABOVE] != 0.0:
+        if time >= NEVER or first[Phase.ABOVE] != 0.0 or leads_in(within, lead):
             break
         before = lead[LeadWork.BEST, Lead.TIME]
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
@@ -118,11 +125,6 @@ def try_soonest(
         time = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
         if before >= 0.0 and lead[LeadWork.BEST, Lead.TIME] > WORTH_FOLLOWING * before:
             break
-
-
-def leads_in(time: float, lead: 'float[:,:]') -> bool:
-    """Whether there is a lead that takes `time` [s] at most."""
-    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
 
 
 def first_free_stage(order: int) -> int:
@@ -149,36 +151,37 @@ def improve_ends(
             search_end(order, stage, limits, lead, timing, coefficients)
 
 
-def choose_steepness(
+def search_soonest(
     order: int,
     within: float,
+    first: int,
+    last: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> float:
-    """The steepness of derivatives that nothing limits with which leads are soon (`set_limits`).
+) -> None:
+    """Search for a lead whose stages end as soon as possible.
 
-    They are raised until that shortens a lead no more (WORTH_STEEPER).
+    Derivatives that nothing limits (`set_limits`) are raised `first` to `last` - 1 times, as long
+    as that shortens a lead (WORTH_STEEPER) of more than `within` [s].
     """
-    chosen = 1.0
-    steep = 1.0
-    for i in range(STEEPEST):
+    for i in range(first, last):
+        steep = STEEPER ** i
         set_limits(steep, lead)
         lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
         before = lead[LeadWork.BEST, Lead.TIME]
-        try_soonest(order, limits, lead, timing, coefficients)
+        try_soonest(order, within, limits, lead, timing, coefficients)
         if lead[LeadWork.BEST, Lead.TIME] != before:
-            chosen = steep
+            lead[LeadWork.BEST, Lead.STEEP] = steep
         elif i > 1:
             break
         if leads_in(within, lead):
             break
-        steep = STEEPER * steep
-    return chosen
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
 
 
-def search_stages(
+def search_ends(
     order: int,
     within: float,
     limits: 'float[:]',
@@ -187,11 +190,7 @@ def search_stages(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead of `within` [s] at most, else the best, by the ends of its stages."""
-    soonest_ends(order, lead)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
-    steep = choose_steepness(order, within, limits, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    steep = lead[LeadWork.BEST, Lead.STEEP]
     for i in range(STEEPEST):
         if is_settled(lead) or leads_in(within, lead):
             break
