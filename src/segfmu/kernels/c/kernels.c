@@ -840,9 +840,14 @@ static double side_beyond(int64_t order, array_double_2d lead, array_double_2d t
 static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double kind_of(bool whole, array_double_1d limits);
+static bool is_kept(int64_t row, bool whole, array_double_1d limits, array_double_2d lead);
+static int64_t kept_brake(bool whole, array_double_1d limits, array_double_2d lead);
+static void keep_brake(bool whole, double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
 static void clip_reached(array_double_2d lead);
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double end_rounding(void);
 static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
 static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
@@ -16301,7 +16306,7 @@ static bool keeps_limits(array_double_2d operation, array_double_2d limits, arra
             (*cspan_at(&times, j, axis)) = plan_end(INT64_C(4), axis, timing, offsets);
         }
     }
-    result = check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(308), INT64_C(356))) == INT64_C(0);
+    result = check_plan(states, times, span_matrix(&timing, INT64_C(4)), span_matrix(&coefficients, INT64_C(4)), span_part(&offsets, first, first + INT64_C(4)), limits, span_rows(&known, INT64_C(6), INT64_C(9)), 1e-09, 9.5e-10, span_rows(&lead, INT64_C(312), INT64_C(360))) == INT64_C(0);
     return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack)
@@ -17830,18 +17835,18 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     array_double_1d state;
     int64_t i;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    axis = span_row(&lead, INT64_C(55));
-    state = span_row(&lead, INT64_C(12));
+    axis = span_row(&lead, INT64_C(59));
+    state = span_row(&lead, INT64_C(16));
     segfmu_axis_limits(smoothness, INT64_C(1), limits, axis);
-    set_lower(span_row(&lead, INT64_C(56)), axis);
+    set_lower(span_row(&lead, INT64_C(60)), axis);
     for (i = loose; i < smoothness + INT64_C(1); i += INT64_C(1))
     {
         if ((*cspan_at(&limits, i - INT64_C(1))) > 0.0)
         {
-            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(3), i))));
+            (*cspan_at(&axis, INT64_C(2) + i - INT64_C(1))) = span_max((*cspan_at(&limits, i - INT64_C(1))), fabs((*cspan_at(&lead, INT64_C(7), i))));
         }
     }
-    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(57), INT64_C(64))))
+    if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, INT64_C(61), INT64_C(68))))
     {
         return 0;
     }
@@ -17851,31 +17856,31 @@ static bool set_box(double steep, int64_t loose, array_double_1d limits, array_d
     }
     for (i = INT64_C(1); i < smoothness + INT64_C(1); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(16), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(20), i)) = rounding_error(i, limits);
         if ((*cspan_at(&limits, i - INT64_C(1))) <= 0.0)
         {
-            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(3), i));
+            (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(7), i));
         }
     }
-    chain_limits(steep, axis, state, span_row(&lead, INT64_C(15)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(15)), span_rows(&lead, INT64_C(57), INT64_C(64)));
+    chain_limits(steep, axis, state, span_row(&lead, INT64_C(19)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(19)), span_rows(&lead, INT64_C(61), INT64_C(68)));
     for (i = INT64_C(1); i < smoothness + INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(8), i)) = -(*cspan_at(&lead, INT64_C(15), i));
+        (*cspan_at(&lead, INT64_C(12), i)) = -(*cspan_at(&lead, INT64_C(19), i));
         if (i <= INT64_C(2))
         {
-            (*cspan_at(&lead, INT64_C(8), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(12), i)) = -(*cspan_at(&axis, INT64_C(9) + i - INT64_C(1)));
         }
-        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(15), i));
+        (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&lead, INT64_C(19), i));
     }
     return 1;
 }
 static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
 {
     double result;
-    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(56), order - INT64_C(1))) > 0.0))
+    if ((order <= INT64_C(2)) && ((*cspan_at(&lead, INT64_C(60), order - INT64_C(1))) > 0.0))
     {
-        result = (*cspan_at(&lead, INT64_C(56), order - INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(60), order - INT64_C(1)));
         return result;
     }
     result = (*cspan_at(&limits, order - INT64_C(1)));
@@ -17888,7 +17893,7 @@ static bool is_outside(array_double_1d limits, array_double_2d lead)
     double bound;
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        value = (*cspan_at(&lead, INT64_C(3), i));
+        value = (*cspan_at(&lead, INT64_C(7), i));
         bound = (*cspan_at(&limits, i - INT64_C(1)));
         if (value < 0.0)
         {
@@ -25531,12 +25536,12 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
     array_double_1d chain;
     array_double_1d problem;
     int64_t result;
-    state = span_row(&lead, INT64_C(12));
-    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
+    state = span_row(&lead, INT64_C(16));
+    phases = span_rows(&lead, INT64_C(26), INT64_C(59));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(61), INT64_C(0))));
     if (order == smoothness - INT64_C(1))
     {
-        chain = span_row(&lead, INT64_C(57) + order - INT64_C(1));
+        chain = span_row(&lead, INT64_C(61) + order - INT64_C(1));
         if (free)
         {
             result = append_change(phases, INT64_C(0), (*cspan_at(&state, order + INT64_C(1))), 0.0, chain);
@@ -25545,15 +25550,15 @@ static int64_t stage_phases(int64_t order, double end, bool free, array_double_2
         result = append_stage((*cspan_at(&state, order)), (*cspan_at(&state, order + INT64_C(1))), end, phases, chain);
         return result;
     }
-    chain = span_row(&lead, INT64_C(57) + order);
+    chain = span_row(&lead, INT64_C(61) + order);
     if (free)
     {
         result = append_stage((*cspan_at(&state, order + INT64_C(1))), (*cspan_at(&state, order + INT64_C(2))), 0.0, phases, chain);
         return result;
     }
-    problem = span_row(&lead, INT64_C(21));
+    problem = span_row(&lead, INT64_C(25));
     set_stage_problem(order, end, state, problem);
-    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
+    result = shortest_ramps(problem, chain, phases, span_rows(&lead, INT64_C(68), INT64_C(308)));
     return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25568,15 +25573,15 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     array_double_2d phases;
     int64_t i;
     int64_t last;
-    state = span_row(&lead, INT64_C(12));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
+    state = span_row(&lead, INT64_C(16));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(61), INT64_C(0))));
     seen = span_min_int(order, smoothness - INT64_C(2));
-    chain = span_row(&lead, INT64_C(57) + seen);
+    chain = span_row(&lead, INT64_C(61) + seen);
     if ((count < INT64_C(0)) || (row + segfmu_ramp_pieces(chain) * count > INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
     }
-    expansion = span_rows(&lead, INT64_C(304), INT64_C(308));
+    expansion = span_rows(&lead, INT64_C(308), INT64_C(312));
     now = span_row(&expansion, INT64_C(1));
     (*cspan_at(&now, INT64_C(0))) = (*cspan_at(&state, seen));
     (*cspan_at(&now, INT64_C(1))) = (*cspan_at(&state, seen + INT64_C(1)));
@@ -25584,7 +25589,7 @@ static int64_t append_phases(int64_t order, double end, int64_t count, int64_t r
     third = seen + INT64_C(3);
     (*cspan_at(&now, INT64_C(3))) = (*cspan_at(&state, third));
     (*cspan_at(&now, INT64_C(8))) = (*cspan_at(&state, INT64_C(8)));
-    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
+    phases = span_rows(&lead, INT64_C(26), INT64_C(59));
     last = segfmu_expand_phases(phases, count, chain, timing, coefficients, row, expansion);
     lift_pieces(seen, row, last, state, timing, coefficients);
     (*cspan_at(&state, seen)) = (*cspan_at(&now, INT64_C(0)));
@@ -25605,7 +25610,7 @@ static int64_t run_stage(int64_t order, int64_t row, array_double_2d lead, array
     double end;
     int64_t count;
     int64_t result;
-    end = (*cspan_at(&lead, INT64_C(17), order));
+    end = (*cspan_at(&lead, INT64_C(21), order));
     count = stage_phases(order, end, end >= 1e+300, lead);
     result = append_phases(order, end, count, row, lead, timing, coefficients);
     return result;
@@ -25615,15 +25620,15 @@ static void drop_rounding(int64_t order, array_double_2d lead)
     array_double_1d state;
     int64_t i;
     double aim;
-    state = span_row(&lead, INT64_C(12));
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    state = span_row(&lead, INT64_C(16));
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(61), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         aim = 0.0;
-        if ((i == order) && ((*cspan_at(&lead, INT64_C(17), i)) < 1e+300))
+        if ((i == order) && ((*cspan_at(&lead, INT64_C(21), i)) < 1e+300))
         {
-            aim = (*cspan_at(&lead, INT64_C(17), i));
+            aim = (*cspan_at(&lead, INT64_C(21), i));
         }
-        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(16), i)))
+        if (fabs((*cspan_at(&state, i)) - aim) <= (*cspan_at(&lead, INT64_C(20), i)))
         {
             (*cspan_at(&state, i)) = aim;
         }
@@ -25634,10 +25639,10 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
     int64_t smoothness;
     int64_t i;
     int64_t stage;
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(61), INT64_C(0))));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(11), i));
+        (*cspan_at(&lead, INT64_C(16), i)) = (*cspan_at(&lead, INT64_C(15), i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
@@ -25657,7 +25662,7 @@ static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, ar
 static int64_t settle(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     row = settle_above(order, row, lead, timing, coefficients);
-    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(57), INT64_C(0))))))
+    if ((row >= INT64_C(0)) && (order < (int64_t)((*cspan_at(&lead, INT64_C(61), INT64_C(0))))))
     {
         row = run_stage(order, row, lead, timing, coefficients);
     }
@@ -25667,8 +25672,8 @@ static double outside_by(double value, int64_t order, array_double_2d lead)
 {
     double low;
     double high;
-    low = (*cspan_at(&lead, INT64_C(8), order));
-    high = (*cspan_at(&lead, INT64_C(9), order));
+    low = (*cspan_at(&lead, INT64_C(12), order));
+    high = (*cspan_at(&lead, INT64_C(13), order));
     return span_max(value - high, low - value) - 1e-13 * (high - low);
 }
 static int64_t hold_highest(double value, double length, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -25677,8 +25682,8 @@ static int64_t hold_highest(double value, double length, int64_t row, array_doub
     int64_t smoothness;
     double factorial;
     int64_t i;
-    state = span_row(&lead, INT64_C(12));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    state = span_row(&lead, INT64_C(16));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0))));
     if ((row < INT64_C(0)) || (row >= INT64_C(2) * INT64_C(400)))
     {
         return -INT64_C(1);
@@ -25714,17 +25719,17 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     double length;
     int64_t i;
     int64_t result;
-    state = span_row(&lead, INT64_C(12));
+    state = span_row(&lead, INT64_C(16));
     if (row < INT64_C(0))
     {
         return -INT64_C(1);
     }
-    if (order == (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
+    if (order == (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))))
     {
-        top = (*cspan_at(&lead, INT64_C(9), order + INT64_C(1)));
+        top = (*cspan_at(&lead, INT64_C(13), order + INT64_C(1)));
         if (end < (*cspan_at(&state, order)))
         {
-            top = (*cspan_at(&lead, INT64_C(8), order + INT64_C(1)));
+            top = (*cspan_at(&lead, INT64_C(12), order + INT64_C(1)));
         }
         length = (end - (*cspan_at(&state, order))) / top;
         row = hold_highest(top, length, row, lead, timing, coefficients);
@@ -25733,10 +25738,10 @@ static int64_t lead_to(int64_t order, double end, int64_t row, array_double_2d l
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&state, i));
-        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&state, i));
+        (*cspan_at(&lead, INT64_C(21), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(17), order)) = end;
+    (*cspan_at(&lead, INT64_C(21), order)) = end;
     result = settle(order, row, lead, timing, coefficients);
     return result;
 }
@@ -25745,7 +25750,7 @@ static int64_t part_hull(int64_t order, int64_t row, double start, double length
     array_double_2d check;
     int64_t width;
     array_double_1d values;
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
     width = coefficients.shape[INT64_C(1)];
     while((width > order + INT64_C(1)) && ((*cspan_at(&coefficients, row, width - INT64_C(1))) == 0.0))
     {
@@ -25764,7 +25769,7 @@ static bool is_hull_inside(int64_t count, double low, double high, array_double_
 {
     array_double_2d check;
     int64_t i;
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
     for (i = INT64_C(0); i < count; i += INT64_C(1))
     {
         if (!((low <= (*cspan_at(&check, INT64_C(0), i))) && ((*cspan_at(&check, INT64_C(0), i)) <= high)))
@@ -25782,9 +25787,9 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
     double slack;
     int64_t row;
     int64_t count;
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
-    low = (*cspan_at(&lead, INT64_C(8), order));
-    high = (*cspan_at(&lead, INT64_C(9), order));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
+    low = (*cspan_at(&lead, INT64_C(12), order));
+    high = (*cspan_at(&lead, INT64_C(13), order));
     slack = 1e-10 * (high - low);
     for (row = first; row < last; row += INT64_C(1))
     {
@@ -25834,8 +25839,8 @@ static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_
     int64_t count;
     double value;
     width = coefficients.shape[INT64_C(1)];
-    low = (*cspan_at(&lead, INT64_C(8), order));
-    high = (*cspan_at(&lead, INT64_C(9), order));
+    low = (*cspan_at(&lead, INT64_C(12), order));
+    high = (*cspan_at(&lead, INT64_C(13), order));
     slack = 1e-13 * (high - low);
     for (i = INT64_C(0); i < last - first; i += INT64_C(1))
     {
@@ -25886,14 +25891,14 @@ static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2
     int64_t i;
     int64_t last;
     double far;
-    state = span_row(&lead, INT64_C(12));
-    turn = span_row(&lead, INT64_C(6));
+    state = span_row(&lead, INT64_C(16));
+    turn = span_row(&lead, INT64_C(10));
     row = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(5), i));
+        (*cspan_at(&state, i)) = (*cspan_at(&lead, INT64_C(9), i));
     }
-    if (settled && (order + INT64_C(2) <= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
+    if (settled && (order + INT64_C(2) <= (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0))))))
     {
         row = lead_to(order + INT64_C(2), 0.0, row, lead, timing, coefficients);
     }
@@ -25903,10 +25908,10 @@ static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2
         (*cspan_at(&turn, i)) = (*cspan_at(&state, i));
     }
     last = lead_to(order + INT64_C(1), 0.0, row, lead, timing, coefficients);
-    far = (*cspan_at(&lead, INT64_C(8), order));
+    far = (*cspan_at(&lead, INT64_C(12), order));
     if (side < 0.0)
     {
-        far = (*cspan_at(&lead, INT64_C(9), order));
+        far = (*cspan_at(&lead, INT64_C(13), order));
     }
     (*result_0) = row;
     (*result_1) = last;
@@ -25927,9 +25932,9 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     int64_t i;
     double local;
     double result;
-    state = span_row(&lead, INT64_C(12));
-    turn = span_row(&lead, INT64_C(6));
-    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
+    state = span_row(&lead, INT64_C(16));
+    turn = span_row(&lead, INT64_C(10));
+    smoothness = (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0))));
     first = INT64_C(400);
     turn_round(&row, &last, &room, order, side, level, settled, lead, timing, coefficients);
     if (last < INT64_C(0))
@@ -25942,10 +25947,10 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     }
     if (level != 0.0)
     {
-        near = (*cspan_at(&lead, INT64_C(9), order));
+        near = (*cspan_at(&lead, INT64_C(13), order));
         if (side < 0.0)
         {
-            near = (*cspan_at(&lead, INT64_C(8), order));
+            near = (*cspan_at(&lead, INT64_C(12), order));
         }
         hold = span_min(side * ((*cspan_at(&turn, order)) - near), room) / fabs(level);
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
@@ -25971,10 +25976,10 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
     {
         return 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(10), INT64_C(2))) = last;
+    (*cspan_at(&lead, INT64_C(14), INT64_C(2))) = last;
     if (last == first)
     {
-        result = (*cspan_at(&lead, INT64_C(5), INT64_C(8)));
+        result = (*cspan_at(&lead, INT64_C(9), INT64_C(8)));
         return result;
     }
     result = (*cspan_at(&timing, row, INT64_C(0))) + local;
@@ -25992,8 +25997,8 @@ static void note_extremes(int64_t row, array_double_2d lead, array_double_2d tim
     int64_t count;
     int64_t i;
     double value;
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
-    report = span_row(&lead, INT64_C(10));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
+    report = span_row(&lead, INT64_C(14));
     width = coefficients.shape[INT64_C(1)];
     parts = INT64_C(8);
     step = (*cspan_at(&timing, row, INT64_C(1))) / parts;
@@ -26021,8 +26026,8 @@ static void end_brake(double until, array_double_2d lead, array_double_2d timing
     int64_t row;
     double length;
     int64_t i;
-    report = span_row(&lead, INT64_C(10));
-    reached = span_row(&lead, INT64_C(5));
+    report = span_row(&lead, INT64_C(14));
+    reached = span_row(&lead, INT64_C(9));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
     count = (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26048,7 +26053,7 @@ static void append_pieces(double until, int64_t last, array_double_2d lead, arra
     array_double_1d report;
     int64_t row;
     int64_t target;
-    report = span_row(&lead, INT64_C(10));
+    report = span_row(&lead, INT64_C(14));
     for (row = INT64_C(400); row < last; row += INT64_C(1))
     {
         target = INT64_C(2) * INT64_C(400) + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26072,7 +26077,7 @@ static void split_brake(double until, array_double_2d lead, array_double_2d timi
     int64_t i;
     double factorial;
     double value;
-    report = span_row(&lead, INT64_C(10));
+    report = span_row(&lead, INT64_C(14));
     width = coefficients.shape[INT64_C(1)];
     first = INT64_C(2) * INT64_C(400);
     last = first + (int64_t)((*cspan_at(&report, INT64_C(1))));
@@ -26112,14 +26117,14 @@ static double time_inside(array_double_1d limits, array_double_2d lead, array_do
     double local;
     double until;
     first = INT64_C(2) * INT64_C(400);
-    last = first + (int64_t)((*cspan_at(&lead, INT64_C(10), INT64_C(1))));
+    last = first + (int64_t)((*cspan_at(&lead, INT64_C(14), INT64_C(1))));
     until = 0.0;
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
         if (((*cspan_at(&limits, i - INT64_C(1))) > 0.0) && (last > first))
         {
-            (*cspan_at(&lead, INT64_C(8), i)) = -lower_limit(i, limits, lead);
-            (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&limits, i - INT64_C(1)));
+            (*cspan_at(&lead, INT64_C(12), i)) = -lower_limit(i, limits, lead);
+            (*cspan_at(&lead, INT64_C(13), i)) = (*cspan_at(&limits, i - INT64_C(1)));
             inside_from(&row, &local, i, first, last, lead, timing, coefficients);
             until = span_max(until, (*cspan_at(&timing, row, INT64_C(0))) + local);
         }
@@ -26131,10 +26136,10 @@ static double level_limit(int64_t order, double side, array_double_2d lead)
     double result;
     if (side < 0.0)
     {
-        result = (*cspan_at(&lead, INT64_C(9), order + INT64_C(1)));
+        result = (*cspan_at(&lead, INT64_C(13), order + INT64_C(1)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(8), order + INT64_C(1)));
+    result = (*cspan_at(&lead, INT64_C(12), order + INT64_C(1)));
     return result;
 }
 static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26155,7 +26160,7 @@ static double deepest_level(int64_t order, double side, bool settled, array_doub
     double room;
     bool crossed;
     edge = level_limit(order, side, lead);
-    near = 0.001 * ((*cspan_at(&lead, INT64_C(9), order)) - (*cspan_at(&lead, INT64_C(8), order)));
+    near = 0.001 * ((*cspan_at(&lead, INT64_C(13), order)) - (*cspan_at(&lead, INT64_C(12), order)));
     turn_round(&row, &last, &e_other, order, side, 0.0, settled, lead, timing, coefficients);
     if ((last < INT64_C(0)) || (e_other < 0.0))
     {
@@ -26248,9 +26253,9 @@ static double side_beyond(int64_t order, array_double_2d lead, array_double_2d t
     int64_t i;
     int64_t last;
     double value;
-    state = span_row(&lead, INT64_C(12));
-    reached = span_row(&lead, INT64_C(5));
-    low = (*cspan_at(&lead, INT64_C(8), order));
+    state = span_row(&lead, INT64_C(16));
+    reached = span_row(&lead, INT64_C(9));
+    low = (*cspan_at(&lead, INT64_C(12), order));
     first = INT64_C(400);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
@@ -26291,21 +26296,21 @@ static void bring_highest(array_double_2d lead, array_double_2d timing, array_do
     int64_t i;
     int64_t last;
     double until;
-    order = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))));
-    value = (*cspan_at(&lead, INT64_C(5), order));
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(8), order))), (*cspan_at(&lead, INT64_C(9), order)));
+    order = (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0))));
+    value = (*cspan_at(&lead, INT64_C(9), order));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(12), order))), (*cspan_at(&lead, INT64_C(13), order)));
     if (outside_by(value, order, lead) > 0.0)
     {
         for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
         {
-            (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(5), i));
+            (*cspan_at(&lead, INT64_C(16), i)) = (*cspan_at(&lead, INT64_C(9), i));
         }
         last = lead_to(order, end, INT64_C(400), lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
+        until = (*cspan_at(&lead, INT64_C(16), INT64_C(8)));
         append_pieces(until, last, lead, timing, coefficients);
-        (*cspan_at(&lead, INT64_C(10), INT64_C(0))) = until;
+        (*cspan_at(&lead, INT64_C(14), INT64_C(0))) = until;
     }
-    (*cspan_at(&lead, INT64_C(5), order)) = end;
+    (*cspan_at(&lead, INT64_C(9), order)) = end;
 }
 static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -26318,14 +26323,14 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     int64_t last;
     double until;
     first = INT64_C(400);
-    reached = span_row(&lead, INT64_C(5));
-    state = span_row(&lead, INT64_C(12));
+    reached = span_row(&lead, INT64_C(9));
+    state = span_row(&lead, INT64_C(16));
     value = (*cspan_at(&reached, order));
     if (!(outside_by(value, order, lead) > 0.0))
     {
         return 0;
     }
-    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(8), order))), (*cspan_at(&lead, INT64_C(9), order)));
+    end = span_min(span_max(value, (*cspan_at(&lead, INT64_C(12), order))), (*cspan_at(&lead, INT64_C(13), order)));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
         (*cspan_at(&state, i)) = (*cspan_at(&reached, i));
@@ -26335,7 +26340,7 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     {
         return 0;
     }
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) + INT64_C(2); i += INT64_C(1))
     {
         if (!stays_inside(i, first, last, lead, timing, coefficients))
         {
@@ -26344,13 +26349,13 @@ static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d ti
     }
     until = (*cspan_at(&state, INT64_C(8)));
     append_pieces(until, last, lead, timing, coefficients);
-    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = order + INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
         (*cspan_at(&reached, i)) = 0.0;
     }
     (*cspan_at(&reached, order)) = end;
-    (*cspan_at(&lead, INT64_C(10), INT64_C(0))) = until;
-    (*cspan_at(&lead, INT64_C(7), order)) = until;
+    (*cspan_at(&lead, INT64_C(14), INT64_C(0))) = until;
+    (*cspan_at(&lead, INT64_C(11), order)) = until;
     return 1;
 }
 static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26365,10 +26370,10 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     int64_t i;
     double start;
     double low;
-    report = span_row(&lead, INT64_C(10));
-    reached = span_row(&lead, INT64_C(5));
+    report = span_row(&lead, INT64_C(14));
+    reached = span_row(&lead, INT64_C(9));
     gentle = (*cspan_at(&report, INT64_C(3) + order));
-    (*cspan_at(&lead, INT64_C(7), order)) = 0.0;
+    (*cspan_at(&lead, INT64_C(11), order)) = 0.0;
     if ((gentle == 1.0) && bring_gently(order, lead, timing, coefficients))
     {
         return 1;
@@ -26408,7 +26413,7 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     if (time > start)
     {
         (*cspan_at(&report, INT64_C(0))) = time;
-        (*cspan_at(&lead, INT64_C(7), order)) = time;
+        (*cspan_at(&lead, INT64_C(11), order)) = time;
     }
     else if (!whole)
     {
@@ -26421,26 +26426,100 @@ static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_
     append_pieces(time, (int64_t)((*cspan_at(&report, INT64_C(2)))), lead, timing, coefficients);
     for (i = order; i < reached.shape[INT64_C(0)] - INT64_C(2); i += INT64_C(1))
     {
-        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
+        if (i <= (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))))
         {
             if (whole && (i > order))
             {
                 (*cspan_at(&reached, i)) = 0.0;
             }
-            low = (*cspan_at(&lead, INT64_C(8), i));
-            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(9), i)));
+            low = (*cspan_at(&lead, INT64_C(12), i));
+            (*cspan_at(&reached, i)) = span_min(span_max((*cspan_at(&reached, i)), low), (*cspan_at(&lead, INT64_C(13), i)));
         }
     }
     return 1;
+}
+static double kind_of(bool whole, array_double_1d limits)
+{
+    double result;
+    if (whole)
+    {
+        result = -(double)(limits.shape[INT64_C(0)]);
+        return result;
+    }
+    result = (double)(limits.shape[INT64_C(0)]);
+    return result;
+}
+static bool is_kept(int64_t row, bool whole, array_double_1d limits, array_double_2d lead)
+{
+    int64_t i;
+    if ((*cspan_at(&lead, row, INT64_C(0))) != kind_of(whole, limits))
+    {
+        return 0;
+    }
+    for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, row, INT64_C(8) + i)) != (*cspan_at(&limits, i)))
+        {
+            return 0;
+        }
+        if ((*cspan_at(&lead, row, INT64_C(1) + i)) != (*cspan_at(&lead, INT64_C(7), INT64_C(0) + i)))
+        {
+            return 0;
+        }
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        if ((*cspan_at(&lead, row, INT64_C(15) + i)) != (*cspan_at(&lead, INT64_C(60), i)))
+        {
+            return 0;
+        }
+    }
+    return 1;
+}
+static int64_t kept_brake(bool whole, array_double_1d limits, array_double_2d lead)
+{
+    int64_t row;
+    for (row = INT64_C(3); row < INT64_C(7); row += INT64_C(1))
+    {
+        if (is_kept(row, whole, limits, lead))
+        {
+            return row;
+        }
+    }
+    return -INT64_C(1);
+}
+static void keep_brake(bool whole, double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
+{
+    int64_t row;
+    int64_t i;
+    row = INT64_C(3) + (int64_t)((*cspan_at(&lead, INT64_C(0), INT64_C(6))));
+    (*cspan_at(&lead, INT64_C(0), INT64_C(6))) = 0.0;
+    if (row + INT64_C(1) < INT64_C(7))
+    {
+        (*cspan_at(&lead, INT64_C(0), INT64_C(6))) = row + INT64_C(1) - INT64_C(3);
+    }
+    (*cspan_at(&lead, row, INT64_C(0))) = kind_of(whole, limits);
+    (*cspan_at(&lead, row, INT64_C(17))) = steep;
+    (*cspan_at(&lead, row, INT64_C(18))) = loose;
+    for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+    {
+        (*cspan_at(&lead, row, INT64_C(8) + i)) = (*cspan_at(&limits, i));
+        (*cspan_at(&lead, row, INT64_C(1) + i)) = (*cspan_at(&lead, INT64_C(7), INT64_C(0) + i));
+        (*cspan_at(&lead, row, INT64_C(19) + i)) = (*cspan_at(&lead, INT64_C(14), INT64_C(3) + i));
+    }
+    for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
+    {
+        (*cspan_at(&lead, row, INT64_C(15) + i)) = (*cspan_at(&lead, INT64_C(60), i));
+    }
 }
 static void clip_reached(array_double_2d lead)
 {
     int64_t i;
     double value;
-    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        value = span_max((*cspan_at(&lead, INT64_C(5), i)), (*cspan_at(&lead, INT64_C(8), i)));
-        (*cspan_at(&lead, INT64_C(5), i)) = span_min(value, (*cspan_at(&lead, INT64_C(9), i)));
+        value = span_max((*cspan_at(&lead, INT64_C(9), i)), (*cspan_at(&lead, INT64_C(12), i)));
+        (*cspan_at(&lead, INT64_C(9), i)) = span_min(value, (*cspan_at(&lead, INT64_C(13), i)));
     }
 }
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26452,7 +26531,7 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
     int64_t order;
     int64_t result;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    report = span_row(&lead, INT64_C(10));
+    report = span_row(&lead, INT64_C(14));
     (*cspan_at(&report, INT64_C(0))) = 0.0;
     (*cspan_at(&report, INT64_C(1))) = 0.0;
     if (!set_box(steep, loose, limits, lead))
@@ -26461,7 +26540,7 @@ static int64_t brake_within(double steep, int64_t loose, bool whole, array_doubl
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(5), i)) = (*cspan_at(&lead, INT64_C(3), i));
+        (*cspan_at(&lead, INT64_C(9), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     bring_highest(lead, timing, coefficients);
     let_go = whole || (loose <= smoothness);
@@ -26512,7 +26591,7 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
     for (i = INT64_C(0); i < highest; i += INT64_C(1))
     {
         count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
-        until = (*cspan_at(&lead, INT64_C(10), INT64_C(0)));
+        until = (*cspan_at(&lead, INT64_C(14), INT64_C(0)));
         if ((count >= INT64_C(0)) && (until == 0.0))
         {
             (*result_0_0001) = steep;
@@ -26534,32 +26613,22 @@ static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t l
     (*result_1) = best;
     return 0;
 }
-int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
-    int64_t smoothness;
     array_double_1d report;
-    int64_t i;
+    int64_t smoothness;
     int64_t loose;
     double chosen;
     double best;
+    int64_t i;
     int64_t order;
     double steep;
     double until;
     double inside;
     double gentle;
-    int64_t first;
-    int64_t row;
     int64_t count;
+    report = span_row(&lead, INT64_C(14));
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
-    if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
-    {
-        return -INT64_C(1);
-    }
-    report = span_row(&lead, INT64_C(10));
-    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
-    {
-        (*cspan_at(&report, i)) = 0.0;
-    }
     loose = smoothness + INT64_C(1);
     best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
     if (best == 0.0)
@@ -26570,7 +26639,7 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     for (i = INT64_C(0); i < smoothness - INT64_C(2); i += INT64_C(1))
     {
         order = smoothness - i;
-        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(3), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
+        if (((*cspan_at(&limits, order - INT64_C(1))) > 0.0) && (fabs((*cspan_at(&lead, INT64_C(7), order))) > (*cspan_at(&limits, order - INT64_C(1)))))
         {
             best_steepness(&steep, &until, order, whole, limits, lead, timing, coefficients);
             if ((steep > 0.0) && (until < 0.5 * best))
@@ -26588,12 +26657,13 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
     }
     if (chosen == 0.0)
     {
+        keep_brake(whole, chosen, loose, limits, lead);
         return -INT64_C(1);
     }
     count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
     for (order = INT64_C(2); order < smoothness; order += INT64_C(1))
     {
-        inside = (*cspan_at(&lead, INT64_C(7), order));
+        inside = (*cspan_at(&lead, INT64_C(11), order));
         gentle = (*cspan_at(&report, INT64_C(3) + order));
         if ((0.0 < inside) && (inside < (*cspan_at(&report, INT64_C(0)))))
         {
@@ -26610,6 +26680,42 @@ int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d le
             (*cspan_at(&report, INT64_C(3) + order)) = gentle;
             count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
         }
+    }
+    keep_brake(whole, chosen, loose, limits, lead);
+    return count;
+}
+int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+    int64_t smoothness;
+    array_double_1d report;
+    int64_t i;
+    int64_t kept;
+    int64_t first;
+    int64_t row;
+    int64_t count;
+    smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
+    if ((smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
+    {
+        return -INT64_C(1);
+    }
+    report = span_row(&lead, INT64_C(14));
+    for (i = INT64_C(0); i < INT64_C(27); i += INT64_C(1))
+    {
+        (*cspan_at(&report, i)) = 0.0;
+    }
+    count = -INT64_C(1);
+    kept = kept_brake(whole, limits, lead);
+    if (kept < INT64_C(0))
+    {
+        count = choose_brake(whole, limits, lead, timing, coefficients);
+    }
+    else if ((*cspan_at(&lead, kept, INT64_C(17))) > 0.0)
+    {
+        for (i = INT64_C(0); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
+        {
+            (*cspan_at(&report, INT64_C(3) + i)) = (*cspan_at(&lead, kept, INT64_C(19) + i));
+        }
+        count = brake_within((*cspan_at(&lead, kept, INT64_C(17))), (int64_t)((*cspan_at(&lead, kept, INT64_C(18)))), whole, limits, lead, timing, coefficients);
     }
     first = INT64_C(2) * INT64_C(400);
     for (row = first; row < first + count; row += INT64_C(1))
@@ -26677,7 +26783,7 @@ static int64_t level_order(int64_t order, array_double_2d lead)
     int64_t seen;
     int64_t above;
     seen = INT64_C(2) - order;
-    above = (int64_t)((*cspan_at(&lead, INT64_C(57) + seen, INT64_C(38))));
+    above = (int64_t)((*cspan_at(&lead, INT64_C(61) + seen, INT64_C(38))));
     if (above == INT64_C(0))
     {
         return INT64_C(0);
@@ -26689,10 +26795,10 @@ static double lead_end(int64_t order, array_double_2d lead)
     double result;
     if (order == INT64_C(1))
     {
-        result = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
+        result = (*cspan_at(&lead, INT64_C(24), INT64_C(2)));
         return result;
     }
-    result = (*cspan_at(&lead, INT64_C(20), INT64_C(4)));
+    result = (*cspan_at(&lead, INT64_C(24), INT64_C(4)));
     return result;
 }
 static int64_t passing_phases(int64_t order, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26711,17 +26817,17 @@ static int64_t passing_phases(int64_t order, double least, int64_t row, array_do
     int64_t count;
     int64_t third;
     int64_t result;
-    state = span_row(&lead, INT64_C(12));
-    level = span_row(&lead, INT64_C(13));
+    state = span_row(&lead, INT64_C(16));
+    level = span_row(&lead, INT64_C(17));
     seen = INT64_C(2) - order;
-    chain = span_row(&lead, INT64_C(57) + seen);
-    problem = span_row(&lead, INT64_C(21));
-    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
-    plan = span_rows(&lead, INT64_C(64), INT64_C(304));
+    chain = span_row(&lead, INT64_C(61) + seen);
+    problem = span_row(&lead, INT64_C(25));
+    phases = span_rows(&lead, INT64_C(26), INT64_C(59));
+    plan = span_rows(&lead, INT64_C(68), INT64_C(308));
     ramps = span_rows(&plan, INT64_C(0), INT64_C(21));
     passing = span_row(&plan, INT64_C(101));
     end = lead_end(order, lead);
-    (*cspan_at(&lead, INT64_C(17), seen + INT64_C(2))) = 1e+300;
+    (*cspan_at(&lead, INT64_C(21), seen + INT64_C(2))) = 1e+300;
     if (run_stage(seen + INT64_C(2), row, lead, timing, coefficients) < INT64_C(0))
     {
         return INT64_C(0);
@@ -26752,14 +26858,14 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
     int64_t count;
     int64_t seen;
     int64_t result;
-    state = span_row(&lead, INT64_C(12));
-    level = span_row(&lead, INT64_C(13));
+    state = span_row(&lead, INT64_C(16));
+    level = span_row(&lead, INT64_C(17));
     stage = level_order(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(21), i)) = 1e+300;
     }
-    (*cspan_at(&lead, INT64_C(17), stage)) = end;
+    (*cspan_at(&lead, INT64_C(21), stage)) = end;
     row = settle(stage, row, lead, timing, coefficients);
     if ((row < INT64_C(0)) || ((*cspan_at(&state, INT64_C(8))) >= least))
     {
@@ -26786,16 +26892,16 @@ static int64_t settle_over_level(int64_t order, double end, double least, int64_
 static void set_limits(double steep, array_double_2d lead)
 {
     array_double_1d axis;
-    axis = span_row(&lead, INT64_C(55));
-    chain_limits(steep, axis, span_row(&lead, INT64_C(11)), span_row(&lead, INT64_C(15)));
-    set_chains(steep, axis, span_row(&lead, INT64_C(15)), span_rows(&lead, INT64_C(57), INT64_C(64)));
+    axis = span_row(&lead, INT64_C(59));
+    chain_limits(steep, axis, span_row(&lead, INT64_C(15)), span_row(&lead, INT64_C(19)));
+    set_chains(steep, axis, span_row(&lead, INT64_C(19)), span_rows(&lead, INT64_C(61), INT64_C(68)));
 }
 static bool is_settled(array_double_2d lead)
 {
     int64_t i;
-    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(3); i < (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) + INT64_C(1); i += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(11), i)) != 0.0)
+        if ((*cspan_at(&lead, INT64_C(15), i)) != 0.0)
         {
             return 0;
         }
@@ -26807,11 +26913,11 @@ static void soonest_ends(int64_t order, array_double_2d lead)
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
+        (*cspan_at(&lead, INT64_C(21), i)) = 1e+300;
     }
     if (order == INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(17), order)) = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
+        (*cspan_at(&lead, INT64_C(21), order)) = (*cspan_at(&lead, INT64_C(24), INT64_C(2)));
     }
 }
 static double profile_time(bool ramps, array_double_2d lead)
@@ -26825,11 +26931,11 @@ static double profile_time(bool ramps, array_double_2d lead)
     double value;
     int64_t count;
     double result;
-    state = span_row(&lead, INT64_C(12));
-    target = span_row(&lead, INT64_C(20));
-    problem = span_row(&lead, INT64_C(21));
-    axis = span_row(&lead, INT64_C(55));
-    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
+    state = span_row(&lead, INT64_C(16));
+    target = span_row(&lead, INT64_C(24));
+    problem = span_row(&lead, INT64_C(25));
+    axis = span_row(&lead, INT64_C(59));
+    phases = span_rows(&lead, INT64_C(26), INT64_C(59));
     for (order = INT64_C(1); order < INT64_C(3); order += INT64_C(1))
     {
         value = (*cspan_at(&state, INT64_C(0) + order));
@@ -26846,11 +26952,11 @@ static double profile_time(bool ramps, array_double_2d lead)
     count = -INT64_C(1);
     if (ramps)
     {
-        count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
+        count = shortest_ramps(problem, axis, phases, span_rows(&lead, INT64_C(68), INT64_C(308)));
     }
     else
     {
-        count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(64), INT64_C(304)));
+        count = plain_profile(problem, axis, phases, span_rows(&lead, INT64_C(68), INT64_C(308)));
     }
     if (count < INT64_C(0))
     {
@@ -26864,19 +26970,19 @@ static void time_anew(int64_t order, array_double_2d lead)
     int64_t i;
     double rest;
     double time;
-    if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
+    if ((order == INT64_C(1)) || ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0))
     {
         return;
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(12), i)) = (*cspan_at(&lead, INT64_C(14), i));
+        (*cspan_at(&lead, INT64_C(16), i)) = (*cspan_at(&lead, INT64_C(18), i));
     }
     rest = profile_time(0, lead);
     if (rest >= 0.0)
     {
-        time = (*cspan_at(&lead, INT64_C(12), INT64_C(8))) + rest;
-        (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = span_min((*cspan_at(&lead, INT64_C(19), INT64_C(0))), time);
+        time = (*cspan_at(&lead, INT64_C(16), INT64_C(8))) + rest;
+        (*cspan_at(&lead, INT64_C(23), INT64_C(0))) = span_min((*cspan_at(&lead, INT64_C(23), INT64_C(0))), time);
     }
 }
 static void keep_lead(int64_t last, double time, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26898,11 +27004,11 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(14), i)) = (*cspan_at(&lead, INT64_C(12), i));
-        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
+        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(16), i));
+        (*cspan_at(&lead, INT64_C(22), i)) = (*cspan_at(&lead, INT64_C(21), i));
     }
-    (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = time;
-    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = last - first;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(0))) = time;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(1))) = last - first;
 }
 static bool begins_now(array_double_2d lead, array_double_2d coefficients)
 {
@@ -26913,7 +27019,7 @@ static bool begins_now(array_double_2d lead, array_double_2d coefficients)
     for (i = INT64_C(1); i < span_floor_div(width, INT64_C(2)) + INT64_C(1); i += INT64_C(1))
     {
         value = evaluate_piece(coefficients, INT64_C(400), width, 0.0, i);
-        if (!(fabs(value - (*cspan_at(&lead, INT64_C(3), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(15), i))))
+        if (!(fabs(value - (*cspan_at(&lead, INT64_C(7), i))) <= 1e-11 * (*cspan_at(&lead, INT64_C(19), i))))
         {
             return 0;
         }
@@ -26924,8 +27030,8 @@ static bool is_better(double time, array_double_2d lead)
 {
     double best;
     bool result;
-    best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
-    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(19), INT64_C(4))));
+    best = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
+    result = (best < 0.0) || (time < best * (*cspan_at(&lead, INT64_C(23), INT64_C(4))));
     return result;
 }
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26938,8 +27044,8 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
     {
         return 0;
     }
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
-    lower = span_row(&lead, INT64_C(56));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
+    lower = span_row(&lead, INT64_C(60));
     if (last > first)
     {
         if (!begins_now(lead, coefficients))
@@ -26953,7 +27059,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
         }
     }
     keep_lead(last, time, lead, timing, coefficients);
-    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 1.0 - 1e-12;
     return 1;
 }
 static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -26970,14 +27076,14 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    end = (*cspan_at(&lead, INT64_C(17), order));
+    end = (*cspan_at(&lead, INT64_C(21), order));
     count = stage_phases(order, end, 0, lead);
     if (count < INT64_C(0))
     {
         return 1e+300;
     }
-    phases = span_rows(&lead, INT64_C(22), INT64_C(55));
-    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8))) + total_duration(phases, count);
+    phases = span_rows(&lead, INT64_C(26), INT64_C(59));
+    time = (*cspan_at(&lead, INT64_C(16), INT64_C(8))) + total_duration(phases, count);
     if (!is_better(time, lead))
     {
         return time;
@@ -26987,7 +27093,7 @@ static double try_velocity(int64_t row, array_double_1d limits, array_double_2d 
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(16), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -27007,8 +27113,8 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
-    best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+    time = (*cspan_at(&lead, INT64_C(16), INT64_C(8)));
+    best = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
     if ((best >= 0.0) && (time >= best))
     {
         return 1e+300;
@@ -27031,7 +27137,7 @@ static double try_level(int64_t order, double level, double least, array_double_
     {
         return 1e+300;
     }
-    time = (*cspan_at(&lead, INT64_C(12), INT64_C(8)));
+    time = (*cspan_at(&lead, INT64_C(16), INT64_C(8)));
     keep_better(last, time, limits, lead, timing, coefficients);
     return time;
 }
@@ -27040,12 +27146,12 @@ static double try_end(int64_t order, int64_t stage, double end, array_double_1d 
     double bound;
     int64_t i;
     double result;
-    bound = (*cspan_at(&lead, INT64_C(15), stage));
+    bound = (*cspan_at(&lead, INT64_C(19), stage));
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(17), i)) = (*cspan_at(&lead, INT64_C(18), i));
+        (*cspan_at(&lead, INT64_C(21), i)) = (*cspan_at(&lead, INT64_C(22), i));
     }
-    (*cspan_at(&lead, INT64_C(17), stage)) = span_min(span_max(end, -bound), bound);
+    (*cspan_at(&lead, INT64_C(21), stage)) = span_min(span_max(end, -bound), bound);
     result = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
     return result;
 }
@@ -27059,8 +27165,8 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     double nearest;
     int64_t side;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(15), stage));
-    if (((*cspan_at(&lead, INT64_C(18), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
+    bound = (*cspan_at(&lead, INT64_C(19), stage));
+    if (((*cspan_at(&lead, INT64_C(22), stage)) >= 1e+300) || ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0))
     {
         try_end(order, stage, 0.0, limits, lead, timing, coefficients);
         end = bound;
@@ -27074,7 +27180,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
     step = 0.125 * bound;
     for (i = INT64_C(0); i < INT64_C(10); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(18), stage));
+        around = (*cspan_at(&lead, INT64_C(22), stage));
         if (around >= 1e+300)
         {
             break;
@@ -27086,15 +27192,15 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
             if ((fabs(end) <= bound) || (fabs(around) < bound))
             {
                 time = try_end(order, stage, end, limits, lead, timing, coefficients);
-                if (time >= (*cspan_at(&lead, INT64_C(19), INT64_C(0))))
+                if (time >= (*cspan_at(&lead, INT64_C(23), INT64_C(0))))
                 {
                     nearest = span_min(nearest, time);
                 }
             }
         }
-        if ((*cspan_at(&lead, INT64_C(18), stage)) == around)
+        if ((*cspan_at(&lead, INT64_C(22), stage)) == around)
         {
-            if (nearest <= 1.001 * (*cspan_at(&lead, INT64_C(19), INT64_C(0))))
+            if (nearest <= 1.001 * (*cspan_at(&lead, INT64_C(23), INT64_C(0))))
             {
                 break;
             }
@@ -27105,7 +27211,7 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
 static bool leads_in(double time, array_double_2d lead)
 {
     bool result;
-    result = (0.0 <= (*cspan_at(&lead, INT64_C(19), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) <= time);
+    result = (0.0 <= (*cspan_at(&lead, INT64_C(23), INT64_C(0)))) && ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) <= time);
     return result;
 }
 static int64_t first_free_stage(int64_t order)
@@ -27125,26 +27231,26 @@ static void try_soonest(int64_t order, double within_0001, array_double_1d limit
     int64_t i;
     double before;
     double level;
-    first = span_row(&lead, INT64_C(22));
+    first = span_row(&lead, INT64_C(26));
     stage = first_free_stage(order);
     soonest_ends(order, lead);
     time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-    if (is_settled(lead) || (stage >= (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0))))))
+    if (is_settled(lead) || (stage >= (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0))))))
     {
         return;
     }
-    bound = (*cspan_at(&lead, INT64_C(15), stage));
+    bound = (*cspan_at(&lead, INT64_C(19), stage));
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
         if ((time >= 1e+300) || ((*cspan_at(&first, INT64_C(4))) != 0.0) || leads_in(within_0001, lead))
         {
             break;
         }
-        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
         level = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
-        (*cspan_at(&lead, INT64_C(17), stage)) = span_min(span_max(level, -bound), bound);
+        (*cspan_at(&lead, INT64_C(21), stage)) = span_min(span_max(level, -bound), bound);
         time = try_lead(order, INT64_C(400), limits, lead, timing, coefficients);
-        if ((before >= 0.0) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) > 0.9999 * before))
+        if ((before >= 0.0) && ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) > 0.9999 * before))
         {
             break;
         }
@@ -27161,7 +27267,7 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
         {
             break;
         }
-        if (stage < (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))))
+        if (stage < (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))))
         {
             search_end(order, stage, limits, lead, timing, coefficients);
         }
@@ -27176,12 +27282,12 @@ static void search_soonest(int64_t order, double within_0001, int64_t first, int
     {
         steep = pow(10.0, (double)(i));
         set_limits(steep, lead);
-        (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 0.99;
-        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 0.99;
+        before = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
         try_soonest(order, within_0001, limits, lead, timing, coefficients);
-        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) != before)
+        if ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) != before)
         {
-            (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = steep;
+            (*cspan_at(&lead, INT64_C(23), INT64_C(3))) = steep;
         }
         else if (i > INT64_C(1))
         {
@@ -27192,28 +27298,28 @@ static void search_soonest(int64_t order, double within_0001, int64_t first, int
             break;
         }
     }
-    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 1.0 - 1e-12;
 }
 static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
     double steep;
     int64_t i;
     double before;
-    steep = (*cspan_at(&lead, INT64_C(19), INT64_C(3)));
+    steep = (*cspan_at(&lead, INT64_C(23), INT64_C(3)));
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         if (is_settled(lead) || leads_in(within_0001, lead))
         {
             break;
         }
-        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
         set_limits(steep, lead);
         improve_ends(order, within_0001, limits, lead, timing, coefficients);
         if (before >= 0.0)
         {
             break;
         }
-        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
+        if ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0)
         {
             steep = 10.0 * steep;
         }
@@ -27236,7 +27342,7 @@ static double near_zero(double i)
 static bool jumps_often(array_double_2d lead)
 {
     bool result;
-    result = (int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) > INT64_C(4);
+    result = (int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) > INT64_C(4);
     return result;
 }
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -27246,7 +27352,7 @@ static double follow_level(int64_t order, double level, double least, array_doub
     double time;
     double after;
     double found;
-    first = span_row(&lead, INT64_C(22));
+    first = span_row(&lead, INT64_C(26));
     found = 1e+300;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
@@ -27257,7 +27363,7 @@ static double follow_level(int64_t order, double level, double least, array_doub
         }
         least = time;
         found = time;
-        (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = level;
+        (*cspan_at(&lead, INT64_C(23), INT64_C(2))) = level;
         after = (*cspan_at(&first, INT64_C(2))) + (*cspan_at(&first, INT64_C(3)));
         if (level_order(order, lead) != (*cspan_at(&first, INT64_C(4))) + INT64_C(4) - order)
         {
@@ -27278,11 +27384,11 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
     double time;
     double found;
     stage = level_order(order, lead);
-    kept = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
+    kept = (*cspan_at(&lead, INT64_C(23), INT64_C(2)));
     least = 1e+300;
-    if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) >= 0.0)
+    if ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) >= 0.0)
     {
-        least = 1.2 * (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        least = 1.2 * (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
     }
     found = 1e+300;
     count = INT64_C(0);
@@ -27295,7 +27401,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
         level = kept;
         if (i >= -count)
         {
-            level = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(15), stage));
+            level = near_zero((double)(i)) * (*cspan_at(&lead, INT64_C(19), stage));
         }
         time = follow_level(order, level, least, limits, lead, timing, coefficients);
         if (time < least)
@@ -27316,12 +27422,12 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
     int64_t side;
     double level;
     double time;
-    bound = (*cspan_at(&lead, INT64_C(15), level_order(order, lead)));
-    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(19), INT64_C(2)))) + 0.005 * bound;
+    bound = (*cspan_at(&lead, INT64_C(19), level_order(order, lead)));
+    step = 0.15 * fabs((*cspan_at(&lead, INT64_C(23), INT64_C(2)))) + 0.005 * bound;
     useless = INT64_C(0);
     for (i = INT64_C(0); i < INT64_C(8); i += INT64_C(1))
     {
-        around = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
+        around = (*cspan_at(&lead, INT64_C(23), INT64_C(2)));
         for (side = INT64_C(0); side < INT64_C(2); side += INT64_C(1))
         {
             level = span_min(span_max(around + step * (INT64_C(1) - INT64_C(2) * side), -bound), bound);
@@ -27329,11 +27435,11 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
             if (time < (1.0 - 1e-10) * least)
             {
                 least = time;
-                (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = level;
+                (*cspan_at(&lead, INT64_C(23), INT64_C(2))) = level;
             }
         }
         useless = useless + INT64_C(1);
-        if ((*cspan_at(&lead, INT64_C(19), INT64_C(2))) == around)
+        if ((*cspan_at(&lead, INT64_C(23), INT64_C(2))) == around)
         {
             step = 0.25 * step;
         }
@@ -27356,12 +27462,12 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
     double level;
     steep = 1.0;
     found = 1e+300;
-    (*cspan_at(&lead, INT64_C(19), INT64_C(2))) = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
-    (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(2))) = (*cspan_at(&lead, INT64_C(15), level_order(order, lead)));
+    (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 1.0 - 1e-12;
     for (i = INT64_C(0); i < INT64_C(4); i += INT64_C(1))
     {
         set_limits(steep, lead);
-        before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        before = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
         if ((found >= 1e+300) || ((i == INT64_C(1)) && jumps_often(lead)))
         {
             found = search_grid(order, limits, lead, timing, coefficients);
@@ -27372,14 +27478,14 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
         }
         else
         {
-            level = (*cspan_at(&lead, INT64_C(19), INT64_C(2)));
+            level = (*cspan_at(&lead, INT64_C(23), INT64_C(2)));
             found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
         }
-        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) == before))
+        if ((i > INT64_C(0)) && ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) == before))
         {
             break;
         }
-        (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 0.99;
+        (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 0.99;
         steep = 10.0 * steep;
     }
 }
@@ -27387,8 +27493,8 @@ static bool permits_levels(int64_t order, array_double_2d lead)
 {
     array_double_1d target;
     bool resting;
-    target = span_row(&lead, INT64_C(20));
-    if (((int64_t)((*cspan_at(&lead, INT64_C(55), INT64_C(0)))) < INT64_C(4)) || is_settled(lead))
+    target = span_row(&lead, INT64_C(24));
+    if (((int64_t)((*cspan_at(&lead, INT64_C(59), INT64_C(0)))) < INT64_C(4)) || is_settled(lead))
     {
         return 0;
     }
@@ -27406,7 +27512,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
     double length;
     int64_t i;
     bool settled;
-    state = span_row(&lead, INT64_C(11));
+    state = span_row(&lead, INT64_C(15));
     width = coefficients.shape[INT64_C(1)];
     length = (*cspan_at(&timing, row, INT64_C(1)));
     settled = 1;
@@ -27422,7 +27528,7 @@ static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_d
         }
         if (i > INT64_C(2))
         {
-            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(15), i)))
+            if (fabs((*cspan_at(&state, i))) > 1e-10 * (*cspan_at(&lead, INT64_C(19), i)))
             {
                 settled = 0;
             }
@@ -27451,7 +27557,7 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
         {
             break;
         }
-        best = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+        best = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
         if ((best >= 0.0) && ((*cspan_at(&plan_timing, row, INT64_C(0))) >= best))
         {
             break;
@@ -27469,11 +27575,11 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
             tried = tried + INT64_C(1);
             for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(17), i)) = 1e+300;
+                (*cspan_at(&lead, INT64_C(21), i)) = 1e+300;
             }
             if (order == INT64_C(1))
             {
-                (*cspan_at(&lead, INT64_C(17), order)) = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
+                (*cspan_at(&lead, INT64_C(21), order)) = (*cspan_at(&lead, INT64_C(24), INT64_C(2)));
             }
             try_lead(order, place + INT64_C(1), limits, lead, timing, coefficients);
         }
@@ -27482,19 +27588,19 @@ static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offse
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead)
 {
     int64_t i;
-    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(55)));
-    set_lower(span_row(&lead, INT64_C(56)), span_row(&lead, INT64_C(55)));
-    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(55))), span_row(&lead, INT64_C(55)), span_rows(&lead, INT64_C(57), INT64_C(64))))
+    segfmu_axis_limits(limits.shape[INT64_C(0)] - INT64_C(1), shape, limits, span_row(&lead, INT64_C(59)));
+    set_lower(span_row(&lead, INT64_C(60)), span_row(&lead, INT64_C(59)));
+    if (!segfmu_ramp_parameters(usual_share(span_row(&lead, INT64_C(59))), span_row(&lead, INT64_C(59)), span_rows(&lead, INT64_C(61), INT64_C(68))))
     {
         return 0;
     }
     for (i = INT64_C(1); i < limits.shape[INT64_C(0)]; i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(16), i)) = rounding_error(i, limits);
+        (*cspan_at(&lead, INT64_C(20), i)) = rounding_error(i, limits);
     }
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(3), i));
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     return 1;
 }
@@ -27507,10 +27613,10 @@ static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double
     {
         return 0;
     }
-    before = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
-    level = (*cspan_at(&lead, INT64_C(11), level_order(order, lead)));
+    before = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
+    level = (*cspan_at(&lead, INT64_C(15), level_order(order, lead)));
     try_level(order, level, 1e+300, limits, lead, timing, coefficients);
-    result = (*cspan_at(&lead, INT64_C(19), INT64_C(0))) != before;
+    result = (*cspan_at(&lead, INT64_C(23), INT64_C(0))) != before;
     return result;
 }
 static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -27519,7 +27625,7 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
     soonest_ends(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(18), i)) = (*cspan_at(&lead, INT64_C(17), i));
+        (*cspan_at(&lead, INT64_C(22), i)) = (*cspan_at(&lead, INT64_C(21), i));
     }
     search_soonest(order, within_0001, INT64_C(0), INT64_C(1), limits, lead, timing, coefficients);
     if (leads_in(within_0001, lead))
@@ -27542,7 +27648,7 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
     time_anew(order, lead);
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(11), i)) = (*cspan_at(&lead, INT64_C(3), i));
+        (*cspan_at(&lead, INT64_C(15), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     if (permits_levels(order, lead) && (!leads_in(within_0001, lead)))
     {
@@ -27554,14 +27660,14 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     int64_t count;
     int64_t i;
     int64_t row;
-    count = (int64_t)((*cspan_at(&lead, INT64_C(19), INT64_C(1))));
-    if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
+    count = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(1))));
+    if ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0)
     {
         return;
     }
     if (count + steps > INT64_C(400))
     {
-        (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = -1.0;
+        (*cspan_at(&lead, INT64_C(23), INT64_C(0))) = -1.0;
         return;
     }
     for (i = INT64_C(0); i < count; i += INT64_C(1))
@@ -27573,7 +27679,7 @@ static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d t
     {
         copy_piece(timing, coefficients, INT64_C(2) * INT64_C(400) + row, timing, coefficients, row);
     }
-    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = count + steps;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(1))) = count + steps;
 }
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -27582,18 +27688,18 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
     int64_t steps;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(4), i)) = (*cspan_at(&lead, INT64_C(3), i));
+        (*cspan_at(&lead, INT64_C(8), i)) = (*cspan_at(&lead, INT64_C(7), i));
     }
     for (repeat = INT64_C(0); repeat < INT64_C(2); repeat += INT64_C(1))
     {
-        if ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0)
+        if ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0)
         {
             steps = segfmu_find_brake(repeat == INT64_C(1), limits, lead, timing, coefficients);
             if (steps > INT64_C(0))
             {
                 for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
                 {
-                    (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(5), i));
+                    (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(9), i));
                 }
                 if (start_search(shape, limits, lead))
                 {
@@ -27602,7 +27708,7 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
                 }
                 for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
                 {
-                    (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&lead, INT64_C(4), i));
+                    (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&lead, INT64_C(8), i));
                 }
                 prepend_brake(steps, lead, timing, coefficients);
             }
@@ -27615,9 +27721,9 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
     int64_t smoothness;
     int64_t shape;
     bool result;
-    (*cspan_at(&lead, INT64_C(19), INT64_C(0))) = -1.0;
-    (*cspan_at(&lead, INT64_C(19), INT64_C(1))) = 0.0;
-    (*cspan_at(&lead, INT64_C(19), INT64_C(3))) = 1.0;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(0))) = -1.0;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(1))) = 0.0;
+    (*cspan_at(&lead, INT64_C(23), INT64_C(3))) = 1.0;
     brakes = (*cspan_at(&lead, INT64_C(0), INT64_C(3))) != 0.0;
     smoothness = limits.shape[INT64_C(0)] - INT64_C(1);
     if ((axis < INT64_C(0)) || (smoothness < INT64_C(2)) || (smoothness > INT64_C(6)) || (coefficients.shape[INT64_C(1)] != INT64_C(2) * smoothness))
@@ -27632,24 +27738,24 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
             search_stages(order, within_0001, limits, lead, timing, coefficients);
             if (jumps_often(lead))
             {
-                (*cspan_at(&lead, INT64_C(19), INT64_C(4))) = 1.0 - 1e-12;
+                (*cspan_at(&lead, INT64_C(23), INT64_C(4))) = 1.0 - 1e-12;
                 follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
             }
             improve_lead(order, within_0001, limits, lead, timing, coefficients);
         }
     }
-    if (brakes && ((*cspan_at(&lead, INT64_C(19), INT64_C(0))) < 0.0))
+    if (brakes && ((*cspan_at(&lead, INT64_C(23), INT64_C(0))) < 0.0))
     {
         search_braked(order, within_0001, shape, limits, lead, timing, coefficients);
     }
-    result = (*cspan_at(&lead, INT64_C(19), INT64_C(0))) >= 0.0;
+    result = (*cspan_at(&lead, INT64_C(23), INT64_C(0))) >= 0.0;
     return result;
 }
 static void clear_search(array_double_2d lead)
 {
     int64_t row;
     int64_t i;
-    for (row = INT64_C(3); row < INT64_C(64); row += INT64_C(1))
+    for (row = INT64_C(7); row < INT64_C(68); row += INT64_C(1))
     {
         for (i = INT64_C(0); i < lead.shape[INT64_C(1)]; i += INT64_C(1))
         {
@@ -27662,22 +27768,22 @@ static void set_start(int64_t axis, array_double_2d start, array_double_2d lower
     int64_t i;
     for (i = INT64_C(0); i < INT64_C(9); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(3), i)) = 0.0;
+        (*cspan_at(&lead, INT64_C(7), i)) = 0.0;
     }
     for (i = INT64_C(0); i < span_min_int(start.shape[INT64_C(1)], INT64_C(9)); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(3), i)) = (*cspan_at(&start, axis, i));
+        (*cspan_at(&lead, INT64_C(7), i)) = (*cspan_at(&start, axis, i));
     }
     for (i = INT64_C(0); i < INT64_C(2); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(56), i)) = (*cspan_at(&lower, axis, i));
+        (*cspan_at(&lead, INT64_C(60), i)) = (*cspan_at(&lower, axis, i));
     }
 }
 static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead)
 {
-    (*cspan_at(&lead, INT64_C(20), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
-    (*cspan_at(&lead, INT64_C(20), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
-    (*cspan_at(&lead, INT64_C(20), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
+    (*cspan_at(&lead, INT64_C(24), INT64_C(4))) = (*cspan_at(&targets, axis, INT64_C(0)));
+    (*cspan_at(&lead, INT64_C(24), INT64_C(2))) = (*cspan_at(&targets, axis, INT64_C(1)));
+    (*cspan_at(&lead, INT64_C(24), INT64_C(3))) = (*cspan_at(&targets, axis, INT64_C(2)));
 }
 static int64_t latest_axis(array_double_2d ends)
 {
@@ -27704,13 +27810,13 @@ static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lea
     int64_t count;
     for (i = INT64_C(0); i < INT64_C(3); i += INT64_C(1))
     {
-        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(14), i));
+        (*cspan_at(&end, i)) = (*cspan_at(&lead, INT64_C(18), i));
     }
-    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(14), INT64_C(8)));
-    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(19), INT64_C(0)));
+    (*cspan_at(&end, INT64_C(3))) = (*cspan_at(&lead, INT64_C(18), INT64_C(8)));
+    (*cspan_at(&end, INT64_C(4))) = (*cspan_at(&lead, INT64_C(23), INT64_C(0)));
     (*cspan_at(&end, INT64_C(5))) = 0.0;
     found = timing.shape[INT64_C(0)] - INT64_C(1200);
-    count = (int64_t)((*cspan_at(&lead, INT64_C(19), INT64_C(1))));
+    count = (int64_t)((*cspan_at(&lead, INT64_C(23), INT64_C(1))));
     for (row = INT64_C(0); row < count; row += INT64_C(1))
     {
         copy_piece(timing, coefficients, found + row, timing, coefficients, first + row);
@@ -27732,9 +27838,9 @@ static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d 
     {
         return;
     }
-    reached = span_row(&lead, INT64_C(12));
+    reached = span_row(&lead, INT64_C(16));
     write_end(last - INT64_C(1), plan_timing, plan_coefficients, reached);
-    velocity = (*cspan_at(&lead, INT64_C(20), INT64_C(2)));
+    velocity = (*cspan_at(&lead, INT64_C(24), INT64_C(2)));
     if (!((*cspan_at(&reached, INT64_C(3))) < (*cspan_at(&end, INT64_C(4)))))
     {
         return;
@@ -27865,7 +27971,7 @@ bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_dou
             (*cspan_at(&brakes, axis, i)) = 0.0;
             if (count > INT64_C(0))
             {
-                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(10), i));
+                (*cspan_at(&brakes, axis, i)) = (*cspan_at(&lead, INT64_C(14), i));
             }
         }
         if ((*cspan_at(&brakes, axis, INT64_C(0))) > 0.0)
@@ -30134,7 +30240,7 @@ static bool join_behind(array_double_3d states, array_double_1d dwells, array_do
     {
         return 0;
     }
-    expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, behind, whole), times, span_rows(&lead, INT64_C(304), INT64_C(308)));
+    expand_plan(states, dwells, axes, cells, span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, behind, whole), times, span_rows(&lead, INT64_C(308), INT64_C(312)));
     segfmu_join_plans(span_matrix(&timing, INT64_C(1)), span_matrix(&coefficients, INT64_C(1)), span_part(&offsets, leads, behind), span_matrix(&timing, INT64_C(2)), span_matrix(&coefficients, INT64_C(2)), span_part(&offsets, behind, whole), span_matrix(&timing, INT64_C(3)), span_matrix(&coefficients, INT64_C(3)), span_part(&offsets, whole, end));
     return 1;
 }
@@ -30146,7 +30252,7 @@ bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_do
     int64_t axis;
     int64_t i;
     int64_t wrong;
-    check = span_rows(&lead, INT64_C(308), INT64_C(356));
+    check = span_rows(&lead, INT64_C(312), INT64_C(360));
     tolerance = (*cspan_at(&lead, INT64_C(2), INT64_C(0)));
     joints = (*cspan_at(&lead, INT64_C(2), INT64_C(1)));
     for (axis = INT64_C(0); axis < limits.shape[INT64_C(0)]; axis += INT64_C(1))
@@ -30231,7 +30337,7 @@ int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array
     (*cspan_at(&lead, INT64_C(0), INT64_C(5))) = -1.0;
     for (i = INT64_C(0); i < INT64_C(5); i += INT64_C(1))
     {
-        (*cspan_at(&lead, INT64_C(64) + INT64_C(99), i)) = 0.0;
+        (*cspan_at(&lead, INT64_C(68) + INT64_C(99), i)) = 0.0;
     }
     if (timing.shape[INT64_C(1)] < (*cspan_at(&offsets, count)) + INT64_C(400) * count + INT64_C(1200))
     {
@@ -30252,7 +30358,7 @@ int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array
     if ((status == INT64_C(0)) && (done != INT64_C(2)))
     {
         set_delayed(states);
-        status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, INT64_C(1)), span_rows(&axes, INT64_C(0), count), cells, span_rows(&lead, INT64_C(64), INT64_C(304)));
+        status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, INT64_C(1)), span_rows(&axes, INT64_C(0), count), cells, span_rows(&lead, INT64_C(68), INT64_C(308)));
     }
     if (status == INT64_C(0))
     {
@@ -30383,7 +30489,7 @@ static bool plan_target(array_double_2d limits, array_double_2d lower, array_dou
     bool result;
     dwells = span_row(&work, INT64_C(84));
     axes = span_rows(&work, INT64_C(85), INT64_C(88));
-    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, INT64_C(1)), axes, cells, span_rows(&lead, INT64_C(64), INT64_C(304)));
+    status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, INT64_C(1)), axes, cells, span_rows(&lead, INT64_C(68), INT64_C(308)));
     if (status < INT64_C(0))
     {
         return 0;

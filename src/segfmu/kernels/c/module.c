@@ -3503,7 +3503,7 @@ static PyObject *call_find_brake(
         && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
         && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
         && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3625,7 +3625,7 @@ static PyObject *call_find_leads(
         && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
         && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3679,7 +3679,7 @@ static PyObject *call_find_brakes(
         && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
         && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3849,7 +3849,7 @@ static PyObject *call_judge_pieces(
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
         && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
         && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "spare_timing", 0, in_spare_timing->shape[0], 1200)
         && has_at_least(&call, "spare_timing", 1, in_spare_timing->shape[1], 2)
@@ -3924,7 +3924,7 @@ static PyObject *call_plan_onward(
         && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], ((2 * in_limits->shape[1]) - 2))
         && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (4 * (in_states->shape[1] + 1)))
         && has_at_least(&call, "times", 0, in_times->shape[0], (in_dwells->shape[0] + 1))
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)) {
         answer = PyLong_FromLongLong(segfmu_plan_onward(
             (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -4014,7 +4014,7 @@ static PyObject *call_operate(
         && has_at_least(&call, "cells", 0, in_cells->shape[0], 3)
         && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
         && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-        && has_at_least(&call, "lead", 0, in_lead->shape[0], 356)
+        && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
         && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
         && has_at_least(&call, "work", 0, in_work->shape[0], 169)
         && has_at_least(&call, "work", 1, in_work->shape[1], 102)

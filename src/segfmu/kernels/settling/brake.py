@@ -23,7 +23,8 @@ from segfmu.kernels.settling.brake_pieces import (
     time_inside,
 )
 from segfmu.kernels.settling.inside import bring_highest, bring_inside
-from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
+from segfmu.kernels.settling.kept_brakes import keep_brake, kept_brake
+from segfmu.kernels.settling.records import Chain, KeptBrake, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 
 # derivatives that nothing limits are raised by this factor, so often, as long as the time of a
@@ -134,6 +135,34 @@ def find_brake(
     report = lead[LeadWork.BRAKE, :]
     for i in range(Brake.SIZE):
         report[i] = 0.0
+    count = -1
+    kept = kept_brake(whole, limits, lead)
+    if kept < 0:
+        count = choose_brake(whole, limits, lead, timing, coefficients)
+    elif lead[kept, KeptBrake.STEEP] > 0.0:
+        for i in range(limits.shape[0]):
+            report[Brake.GENTLE + i] = lead[kept, KeptBrake.GENTLE + i]
+        count = brake_within(
+            lead[kept, KeptBrake.STEEP], int(lead[kept, KeptBrake.LOOSE]), whole, limits, lead,
+            timing, coefficients,
+        )
+    first = 2 * LeadRows.PIECES
+    for row in range(first, first + count):
+        if timing[row, Timing.START] < report[Brake.UNTIL]:
+            note_extremes(row, lead, timing, coefficients)
+    return count
+
+
+def choose_brake(
+    whole: bool,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> int:
+    """Search for the soonest brake and keep its choices; the number of its pieces, as above."""
+    report = lead[LeadWork.BRAKE, :]
+    smoothness = limits.shape[0] - 1
     loose = smoothness + 1
     chosen, best = best_steepness(loose, whole, limits, lead, timing, coefficients)
     if best == 0.0:
@@ -153,6 +182,7 @@ def find_brake(
         report[Brake.GENTLE + 2] = 0.5
         chosen, best = best_steepness(loose, whole, limits, lead, timing, coefficients)
     if chosen == 0.0:
+        keep_brake(whole, chosen, loose, limits, lead)
         return -1
     count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
     # what comes inside at once may have to turn round again for the ones below
@@ -168,8 +198,5 @@ def find_brake(
                     gentle = report[Brake.GENTLE + order]
             report[Brake.GENTLE + order] = gentle
             count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-    first = 2 * LeadRows.PIECES
-    for row in range(first, first + count):
-        if timing[row, Timing.START] < report[Brake.UNTIL]:
-            note_extremes(row, lead, timing, coefficients)
+    keep_brake(whole, chosen, loose, limits, lead)
     return count

@@ -70,6 +70,19 @@ class LeadTask(Record):
     BRAKES = field("1: a state that cannot keep the limits is brought inside first")
     DONE = field("what is there already, see Done")
     FAILED = field("written: first axis that has no lead, -1: all have one")
+    OLDEST = field("written: brake in KEPT that the next one replaces")
+
+
+class KeptBrake(Record):
+    """How the brake from a state was made, see `keep_brake`."""
+
+    KIND = field("whether it goes on until all is zero, and its number of limits; 0: there is none")
+    STATE = field("position and its derivatives 1 .. n", size=7)
+    LIMITS = field("c_1 .. c_{n+1}", size=7)
+    LOWER = field("limits in the negative direction", size=2)
+    STEEP = field("steepness of derivatives that nothing limits; 0: no brake was found")
+    LOOSE = field("order from which on derivatives may stay as large as they are")
+    GENTLE = field("see Brake", size=7)
 
 
 class LeadEnd(DelayedState):
@@ -96,6 +109,7 @@ class LeadWork(Record):
     TASK = field("what leads are searched for", of=LeadTask)
     OPTIONS = field("how to plan behind leads", of=PlanOptions)
     JUDGING = field("how to check the plan", of=Judging)
+    KEPT = field("the last brakes; all zeros at first", size=4, of=KeptBrake)
     NOW = field("state at the start", of=Chain)
     GIVEN = field("state before a brake", of=Chain)
     BRAKED = field("state that a brake has reached", of=Chain)
