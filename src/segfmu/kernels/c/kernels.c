@@ -608,7 +608,7 @@ static int64_t level_from(double* result_0_0001, double* result_1_0001, double* 
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
 static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
-static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis);
+static double window_edge(double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
 static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis);
@@ -14733,7 +14733,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
     count = INT64_C(2) * order + INT64_C(2);
     transition_coefficients(order, coefficients);
     (*cspan_at(&peaks, INT64_C(0))) = 1.0;
-    samples = INT64_C(64) * (order + INT64_C(1));
+    samples = INT64_C(24) * (order + INT64_C(1));
     for (j = INT64_C(1); j < order + INT64_C(2); j += INT64_C(1))
     {
         best = 0.0;
@@ -14754,7 +14754,7 @@ static void transition_peaks(int64_t order, array_double_1d coefficients, array_
             lower = 0.0;
         }
         left = polynomial_derivative(coefficients, count, j + INT64_C(1), lower);
-        for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+        for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
         {
             middle = 0.5 * (lower + upper);
             slope = polynomial_derivative(coefficients, count, j + INT64_C(1), middle);
@@ -17950,7 +17950,6 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
     double rate;
     double following;
     double newton;
-    double near;
     double bend;
     double reached;
     bool far;
@@ -17985,7 +17984,6 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
         if (rate > 0.0)
         {
             newton = t - error / rate;
-            near = 1e-09 * t;
             bend = 0.0;
             if (i > INT64_C(0))
             {
@@ -17994,9 +17992,8 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
             if ((bend != 0.0) && (fabs(bend) < 0.5 * rate))
             {
                 newton = t - error / (rate - bend);
-                near = 1e-07 * t;
             }
-            if (fabs(newton - t) <= near)
+            if (fabs(newton - t) <= 1e-07 * t)
             {
                 ramp_change(&change, &growth, newton, axis);
                 (*result_0_0001) = newton;
@@ -18005,12 +18002,12 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
             }
             reached = first + second;
             far = (reached > 0.0) && (gain > 0.0) && ((reached > 2.0 * gain) || (gain > 2.0 * reached));
-            if (far && (reached < 60.0 * t * rate))
+            if (far && (reached < t * rate))
             {
                 newton = t * pow((gain / reached), (reached / (t * rate)));
                 if (span_floor_mod(i, INT64_C(3)) == INT64_C(2))
                 {
-                    newton = sqrt(span_max(lower, 0.001 * upper) * upper);
+                    newton = sqrt(lower * upper);
                 }
             }
             if ((newton > lower) && (newton < upper))
@@ -18018,7 +18015,7 @@ static int64_t root_level(double* result_0_0001, double* result_1, double gain, 
                 following = newton;
             }
         }
-        if (fabs(following - t) <= 4e-16 * t)
+        if (fabs(following - t) <= 2e-16 * t)
         {
             (*result_0_0001) = t;
             (*result_1) = level;
@@ -18282,7 +18279,7 @@ static double invert_curved_part(double value, double upper, array_double_1d axi
             }
         }
         s = s + step;
-        if (fabs(step) <= 1e-09)
+        if (fabs(step) <= 1e-07)
         {
             return s;
         }
@@ -19231,7 +19228,8 @@ static double loop_radius(int64_t arc, double place, double accuracy, double mis
     double newest;
     lower = 0.0;
     e_lower = -missing;
-    upper = span_min(span_max(0.25 * missing / (*cspan_at(&family, INT64_C(4))), 1e-06 * largest), 0.25 * largest);
+    upper = span_max(0.25 * missing / (*cspan_at(&family, INT64_C(4))), 1e-07 * largest);
+    upper = span_min(upper, 0.25 * largest);
     e_upper = set_point(place, upper, family, axis);
     while((e_upper < 0.0) || (arc == INT64_C(6)))
     {
@@ -19255,10 +19253,10 @@ static double loop_radius(int64_t arc, double place, double accuracy, double mis
     e_other = e_lower;
     e_before = e_lower;
     scale = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + missing;
-    most = span_max(1e-16 * scale, accuracy * missing);
+    most = span_max(2e-16 * scale, accuracy * missing);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((fabs(e_newest) <= most) || (fabs(other - newest) <= 4e-16 * newest))
+        if ((fabs(e_newest) <= most) || (fabs(other - newest) <= 2e-16 * newest))
         {
             break;
         }
@@ -19304,14 +19302,14 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
     (*cspan_at(&family, INT64_C(33))) = stretch;
     return stretch >= 1.0;
 }
-static double window_edge(int64_t halvings, double inside, double outside, array_double_1d family, array_double_1d axis)
+static double window_edge(double inside, double outside, array_double_1d family, array_double_1d axis)
 {
     int64_t i;
     double middle;
-    for (i = INT64_C(0); i < halvings; i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         middle = 0.5 * (inside + outside);
-        if ((middle == inside) || (middle == outside))
+        if (fabs(inside - outside) <= 1e-09 * middle)
         {
             break;
         }
@@ -19502,7 +19500,7 @@ static int64_t first_window(double* result_0, double* result_1, double f_start, 
     going_on = t_zero;
     if (duration < 0.0)
     {
-        end = window_edge(INT64_C(100), 0.0, t_zero, family, axis);
+        end = window_edge(0.0, t_zero, family, axis);
         canonical_value(&value, &duration, end, family, axis);
         going_on = -1.0;
     }
@@ -19549,22 +19547,20 @@ static bool only_farther(array_double_1d family)
 }
 static double shorter_member(double f_start, array_double_1d family, array_double_1d axis)
 {
-    int64_t samples;
     double span;
     int64_t i;
     double p;
     double value;
     double duration;
     double result;
-    samples = INT64_C(12);
     span = span_max((*cspan_at(&family, INT64_C(8))), (*cspan_at(&axis, INT64_C(13))));
-    for (i = INT64_C(1); i < samples + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(1); i < INT64_C(12) + INT64_C(1); i += INT64_C(1))
     {
         if (only_farther(family))
         {
             return -1.0;
         }
-        p = span * i * i / (samples * samples);
+        p = span * i * i / (INT64_C(12) * INT64_C(12));
         canonical_value(&value, &duration, p, family, axis);
         if (duration < 0.0)
         {
@@ -19603,7 +19599,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
     double result;
     upper = (*cspan_at(&family, INT64_C(8)));
     canonical_value(&value, &duration, upper, family, axis);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if (duration >= 0.0)
         {
@@ -19612,7 +19608,7 @@ static double second_window(double t_zero, array_double_1d family, array_double_
         upper = 2.0 * upper;
         canonical_value(&value, &duration, upper, family, axis);
     }
-    result = window_edge(INT64_C(100), upper, t_zero, family, axis);
+    result = window_edge(upper, t_zero, family, axis);
     return result;
 }
 static double farther_member(double lower, double f_lower, array_double_1d family, array_double_1d axis)
@@ -19627,7 +19623,7 @@ static double farther_member(double lower, double f_lower, array_double_1d famil
     {
         upper = 2.0 * lower;
     }
-    for (i = INT64_C(0); i < INT64_C(200); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         canonical_value(&f_upper, &duration, upper, family, axis);
         if (f_upper >= (*cspan_at(&family, INT64_C(17))))
@@ -19743,12 +19739,12 @@ static double member_search(array_double_1d family, array_double_1d axis)
         if (inside && (lower < 0.0) && (i > INT64_C(0)))
         {
             outside = (*cspan_at(&family, INT64_C(19))) * (i - INT64_C(1)) * (i - INT64_C(1)) / (INT64_C(12) * INT64_C(12));
-            lower = window_edge(INT64_C(24), p, outside, family, axis);
+            lower = window_edge(p, outside, family, axis);
             canonical_value(&f_lower, &duration, lower, family, axis);
         }
         if ((!inside) && (lower >= 0.0))
         {
-            upper = window_edge(INT64_C(24), lower, p, family, axis);
+            upper = window_edge(lower, p, family, axis);
             canonical_value(&f_upper, &duration, upper, family, axis);
         }
         found = (lower >= 0.0) && ((f_lower - target) * (f_upper - target) <= 0.0);
@@ -20235,7 +20231,7 @@ static double cruise_range(array_double_2d phases, double middle, double y, doub
     {
         cruise = limit;
     }
-    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         if (fabs(missing) > distance_within(outside - inside, problem))
         {
@@ -20296,11 +20292,11 @@ static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d
     {
         return;
     }
-    if (fabs(duration - target) > 3e-11 * target)
+    if (fabs(duration - target) > 1e-10 * target)
     {
         return;
     }
-    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-11 * span_max(-lowest, highest))
+    if (fabs(end - (*cspan_at(&problem, INT64_C(2)))) > 1e-10 * span_max(-lowest, highest))
     {
         return;
     }
@@ -20396,7 +20392,6 @@ static double cruise_edge(double inside, double outside, double h_inside, double
     double h_newest;
     double h_other;
     double h_before;
-    double width;
     int64_t i;
     double share;
     double cruise;
@@ -20410,10 +20405,9 @@ static double cruise_edge(double inside, double outside, double h_inside, double
     h_newest = h_outside;
     h_other = h_inside;
     h_before = h_inside;
-    width = 1e-10 * fabs(outside - inside);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if (fabs(outside - inside) <= width)
+        if (newest == other)
         {
             break;
         }
@@ -20453,7 +20447,6 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     double distance;
     double fastest;
     double backwards;
-    int64_t samples;
     bool inside;
     double before;
     double e_before;
@@ -20473,17 +20466,16 @@ static void scan_cruises(array_double_1d problem, array_double_1d axis, array_do
     distance = (*cspan_at(&problem, INT64_C(4)));
     fastest = speed_bound(1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
     backwards = speed_bound(-1.0, (*cspan_at(&problem, INT64_C(5))), problem, axis);
-    samples = INT64_C(24);
     inside = 0;
     before = 0.0;
     e_before = 0.0;
     h_before = 0.0;
-    for (i = INT64_C(0); i < samples + INT64_C(1); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(24) + INT64_C(1); i += INT64_C(1))
     {
-        cruise = fastest * (2.0 * i / samples - 1.0);
+        cruise = fastest * (2.0 * i / INT64_C(24) - 1.0);
         if (cruise < 0.0)
         {
-            cruise = backwards * (2.0 * i / samples - 1.0);
+            cruise = backwards * (2.0 * i / INT64_C(24) - 1.0);
         }
         timed_cruise(&count, &y, &hold, trial, cruise, problem, axis);
         error = y - distance;
@@ -20583,7 +20575,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     if ((*cspan_at(&family, INT64_C(16))) != 0.0)
     {
         error = duration - (*cspan_at(&family, INT64_C(17)));
-        if (fabs(error) <= 1e-15 * duration)
+        if (fabs(error) <= 2e-15 * duration)
         {
             error = 0.0;
         }
@@ -20593,7 +20585,7 @@ static int64_t loop_excess(double* result_0, double* result_1, int64_t arc, doub
     }
     error = y - (*cspan_at(&family, INT64_C(17)));
     speed = fabs((*cspan_at(&family, INT64_C(0)))) + fabs((*cspan_at(&family, INT64_C(2)))) + top_acceleration(axis) * duration;
-    if (fabs(error) <= 2e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
+    if (fabs(error) <= 1e-13 * (fabs(y) + span_min(fastest_velocity(axis), speed) * duration))
     {
         error = 0.0;
     }
@@ -22071,7 +22063,7 @@ static double deep_level(double v, double a, double velocity_limit, double botto
     outer = lower + 0.6180339887498949 * (upper - lower);
     at_inner = peak_past_zero(v, a, inner, axis);
     at_outer = peak_past_zero(v, a, outer, axis);
-    for (i = INT64_C(0); i < INT64_C(60); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(30); i += INT64_C(1))
     {
         if (at_inner <= velocity_limit)
         {
@@ -29315,10 +29307,10 @@ static double first_feasible(double outside, double inside, array_double_2d cell
 {
     double duration;
     int64_t i;
-    duration = inside * (1.0 - 0.75 * 4e-09);
+    duration = inside * (1.0 - 1e-09);
     for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
-        if ((duration <= outside) || (inside - outside <= 4e-09 * inside))
+        if (inside - outside <= 1e-09 * inside)
         {
             break;
         }
@@ -29350,7 +29342,7 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
         count = gap_ends(after - delay, span_row(&cell, INT64_C(66)), axis, work);
         for (i = INT64_C(0); i < count; i += INT64_C(1))
         {
-            duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-09);
+            duration = delay + (*cspan_at(&work, INT64_C(42) + i, INT64_C(0))) * (1.0 + 1e-10);
             duration = span_min(duration, most);
             if (set_duration(duration, cell, axis, work))
             {
@@ -29372,7 +29364,7 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
         }
     }
     growth = 1.005;
-    for (i = INT64_C(0); i < INT64_C(600); i += INT64_C(1))
+    for (i = INT64_C(0); i < INT64_C(100); i += INT64_C(1))
     {
         duration = span_min(after * growth, most);
         if (set_duration(duration, cell, axis, work))
@@ -29385,14 +29377,7 @@ static double next_feasible(double start, double most, array_double_2d cell, arr
             return -1.0;
         }
         after = duration;
-        if (i > INT64_C(230))
-        {
-            growth = 1.02;
-        }
-        if (i > INT64_C(350))
-        {
-            growth = 1.1;
-        }
+        growth = 1.005 * growth;
     }
     return -1.0;
 }
@@ -29557,7 +29542,7 @@ static void restore_shortest(int64_t axis, array_double_2d axes, array_double_3d
 }
 static double smoothness_share(double usual, double share)
 {
-    return 0.999 * sqrt((1.0 - usual) / (1.0 - share));
+    return sqrt((1.0 - usual) / (1.0 - share)) / 1.000001;
 }
 static bool shorter_with(double share, double kept, double factor, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work)
 {
@@ -29734,7 +29719,7 @@ static bool prolong_all(int64_t first, int64_t last, double target, array_double
     {
         (*cspan_at(&cells, j, INT64_C(68), INT64_C(4))) = 1.0;
     }
-    for (sweep = INT64_C(0); sweep < INT64_C(50); sweep += INT64_C(1))
+    for (sweep = INT64_C(0); sweep < INT64_C(100); sweep += INT64_C(1))
     {
         time_left(&rest, &base, &count, first, step, target, cells);
         if (rest <= 1e-13 * target)
@@ -33600,7 +33585,7 @@ static bool differ(double before, double value)
 {
     double size;
     size = fabs(value);
-    return !((size <= 1.7976931348623157e+308) && (fabs(value - before) <= 1e-15 * span_max(size, 1.0)));
+    return !((size <= 1.7976931348623157e+308) && (fabs(value - before) <= 2e-15 * span_max(size, 1.0)));
 }
 static bool is_same(array_double_2d before, array_double_2d state)
 {
@@ -33643,7 +33628,7 @@ int64_t segfmu_settle_states(int64_t first, array_double_3d states, array_double
                 if (j > first)
                 {
                     before = (*cspan_at(&states, j - INT64_C(1), axis, INT64_C(1) + i));
-                    if (fabs(settled - before) <= 1e-15 * fabs(before))
+                    if (fabs(settled - before) <= 2e-15 * fabs(before))
                     {
                         settled = before;
                     }

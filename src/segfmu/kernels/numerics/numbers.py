@@ -21,5 +21,18 @@ GAINED = 1e-10
 WORTH = 1e-9
 # what is given, a state or a duration, is zero, its limit, or another one, within this share
 NEARLY = 1e-9
-# steps after which a bracket is a point, if its search does not end before
+# steps after which a bracket is a point, and doublings after which nothing is beyond, if a search
+# does not end before, as all do
 HALVINGS = 100
+# steps of golden section that leave a millionth of an interval: the extreme value is known to
+# rounding there
+SECTIONS = 30
+# about the root of what rounding leaves, as a share: the square of such an error is rounding, as
+# that of an extreme value or after another step of Newton's method, and where slopes come from such
+# a change their errors by rounding and by the bend are alike
+HALF_DIGITS = 1e-7
+# how accurately values are found of which only the duration counts, or that others are compared
+# with: less is not worth a plan
+COARSE = 1e-3
+# places of an interval that are looked at for all roots of what bends a few times
+SAMPLES = 24

@@ -1,6 +1,6 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS
+from segfmu.kernels.numerics.numbers import COARSE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
@@ -10,16 +10,11 @@ from segfmu.kernels.planner.records import Axis, Effort, Family, LoopArc, PlanWo
 from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
-# between samples of an arc the velocity is met within this share of what is missing, and up to
-# rounding where the excess is below this share of what the velocities cover
-SCANNED = 1e-3
+# between samples of an arc the velocity is met up to rounding where the excess is below this share
+# of what the velocities cover, else within a thousandth (COARSE) of what is missing
 NEAR = 0.02
-# an excess below this share of the duration, or of what is covered, is rounding: states on another
-# plan bring that of theirs, and an arc can end at the distance
-LEAST_ERROR = 1e-15
-CARRIED = 2e-13
-# places of an arc that are looked at, and halvings to where its members begin
-SAMPLES = 24
+# halvings to where the members of an arc begin: they cost as much as samples, and of what is in
+# between there is hardly ever the distance
 EDGES = 12
 
 
@@ -55,12 +50,13 @@ def loop_excess(
     duration, y = member_distance(family, axis)
     if family[Family.BY_TIME] != 0.0:
         error = duration - family[Family.TARGET]
-        if abs(error) <= LEAST_ERROR * duration:
+        if abs(error) <= ROUNDED * duration:
             error = 0.0
         return duration, error
     error = y - family[Family.TARGET]
     speed = abs(family[Family.V]) + abs(family[Family.W]) + top_acceleration(axis) * duration
-    if abs(error) <= CARRIED * (abs(y) + min(fastest_velocity(axis), speed) * duration):
+    # states on another plan bring its rounding, and an arc can end at the distance
+    if abs(error) <= SAME * (abs(y) + min(fastest_velocity(axis), speed) * duration):
         error = 0.0
     return duration, error
 
@@ -112,7 +108,7 @@ def scanned_excess(
     arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
     """`loop_excess`, accurate where it is small: elsewhere its sign is enough."""
-    duration, error = loop_excess(arc, place, SCANNED, missing, largest, family, axis)
+    duration, error = loop_excess(arc, place, COARSE, missing, largest, family, axis)
     if duration < 0.0 or (arc != LoopArc.LOOP and arc != LoopArc.FOLD):
         return duration, error
     small = NEAR * duration

@@ -7,7 +7,7 @@ pop, a dip (dip.py) may. Else the problem is refused. From zero acceleration on,
 exists (docs/planner.md).
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, GOLDEN, HALVINGS, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, GOLDEN, HALVINGS, NEVER, SECTIONS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
@@ -23,8 +23,6 @@ from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Braking, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
 
-# steps of golden section to the least peak
-SECTIONS = 60
 # a ramp to a level beyond this times the acceleration crosses zero while all derivatives still
 # rise, and no faster
 DEEPEST = 1e3

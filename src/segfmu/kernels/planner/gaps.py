@@ -6,19 +6,13 @@ to the families of the shortest profile. Or a new kind of profile begins to exis
 the duration over a family.
 """
 
-from segfmu.kernels.numerics.numbers import GOLDEN, NEVER
+from segfmu.kernels.numerics.numbers import GAINED, GOLDEN, NEVER, SAMPLES, SECTIONS
 from segfmu.kernels.planner.braking import braked
 from segfmu.kernels.planner.cruise import cruise_form, slower_cruise, with_cruise
 from segfmu.kernels.planner.forms import usual_duration
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
 from segfmu.kernels.planner.phases import speed_bound, valid_duration
 from segfmu.kernels.planner.records import Axis, PlanWork, Problem
-
-# two ends of gaps are one within this share
-ONE = 1e-10
-# cruise velocities that are tried, and steps of golden section between them
-CRUISES = 24
-SECTIONS = 30
 
 
 def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') -> int:
@@ -28,7 +22,7 @@ def insert_end(duration: float, after: float, count: int, ends: 'float[:,:]') ->
     place = count
     while place > 0 and ends[place - 1, 0] > duration:
         place = place - 1
-    if place > 0 and duration - ends[place - 1, 0] <= ONE * duration:
+    if place > 0 and duration - ends[place - 1, 0] <= GAINED * duration:
         return count
     count = min(count + 1, ends.shape[0])
     for j in range(count - 1 - place):
@@ -118,14 +112,14 @@ def insert_turn(
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
     ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
     lower = cruise_sample(max(sample - 1, 0), fastest, backwards)
-    upper = cruise_sample(min(sample + 1, CRUISES), fastest, backwards)
+    upper = cruise_sample(min(sample + 1, SAMPLES), fastest, backwards)
     turn = turning_time(lower, upper, covering, problem, axis, phases)
     return insert_end(spent + min(turn, least), after, count, ends)
 
 
 def cruise_sample(sample: int, fastest: float, backwards: float) -> float:
     """One of 25 cruise velocities up to the fastest one, in both directions."""
-    share = 2.0 * sample / CRUISES - 1.0
+    share = 2.0 * sample / SAMPLES - 1.0
     if share < 0.0:
         return backwards * share
     return fastest * share
@@ -151,10 +145,10 @@ def turning_ends(
     # gaps that end later are of no use
     fastest = speed_bound(1.0, 4.0 * after, problem, axis)
     backwards = speed_bound(-1.0, 4.0 * after, problem, axis)
-    for i in range(CRUISES + 2):
+    for i in range(SAMPLES + 2):
         third = NEVER
         third_covered = NEVER
-        if i < CRUISES + 1:
+        if i < SAMPLES + 1:
             cruise = cruise_sample(i, fastest, backwards)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
         if second < NEVER and first >= second and third >= second:

@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import HALVINGS, NEARLY, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
@@ -20,16 +20,9 @@ from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
 from segfmu.kernels.planner.synchronize import timed_profile
 
-# how a duration grows that is looked for behind the last end of a gap: by less at first
+# how a duration grows at first that is looked for behind the last end of a gap, and how the growth
+# itself does: windows get longer
 GROWTH = 1.005
-GROWTH_LATER = 1.02
-GROWTH_LAST = 1.1
-LATER = 230
-LAST = 350
-GROWTHS = 600
-# how accurately the first feasible duration is found, and the first step, as a share of that
-ACCURACY = 4e-9
-INSIDE = 0.75
 # meetings of axes until there is no common duration
 SWEEPS = 100000
 # sample times [s], and the largest count of samples that is a whole number
@@ -110,7 +103,7 @@ def next_feasible(
     for sweep in range(8):
         count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
         for i in range(count):
-            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + NEARLY)
+            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + GAINED)
             duration = min(duration, most)
             if set_duration(duration, cell, axis, work):
                 if axis[Axis.PLATEAU] == 0.0 or not ramps_suffice(axis):
@@ -122,17 +115,14 @@ def next_feasible(
         if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
             break
     growth = GROWTH
-    for i in range(GROWTHS):
+    for i in range(HALVINGS):
         duration = min(after * growth, most)
         if set_duration(duration, cell, axis, work):
             return first_feasible(after, duration, cell, axis, work)
         if duration >= most:
             return -1.0
         after = duration
-        if i > LATER:
-            growth = GROWTH_LATER
-        if i > LAST:
-            growth = GROWTH_LAST
+        growth = GROWTH * growth
     return -1.0
 
 
@@ -140,9 +130,9 @@ def first_feasible(
     outside: float, inside: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
     """The first feasible duration between an infeasible and a feasible one."""
-    duration = inside * (1.0 - INSIDE * ACCURACY)
+    duration = inside * (1.0 - NEARLY)
     for i in range(HALVINGS):
-        if duration <= outside or inside - outside <= ACCURACY * inside:
+        if inside - outside <= NEARLY * inside:
             break
         if set_duration(duration, cell, axis, work):
             inside = duration

@@ -11,20 +11,9 @@ the ratio of a ramp's duration to its change never grows with the change.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import HALVINGS, LAST_DIGIT
+from segfmu.kernels.numerics.numbers import COVERED, HALF_DIGITS, HALVINGS, LAST_DIGIT
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Family
-
-# shares of rounding in the gain of a velocity, and in a time
-GAIN = 1e-14
-TIME = 4e-16
-# near a root: the slope is known, and Halley's method is worth it
-NEAR = 1e-9
-NEAR_BENT = 1e-7
-# height of a power that does not lead out of the bracket
-HEIGHT = 60.0
-# the least end of a bracket, as a share of the other
-LEAST = 1e-3
 
 
 def level_gain(level: float, a: float, b: float, axis: 'float[:]') -> 'tuple[float, float]':
@@ -56,7 +45,7 @@ def solve_level(
     t_low, least = level_gain(low, a, b, axis)
     if gain <= least:
         # up to rounding, this is the lowest level
-        if gain < least - GAIN * (abs(gain) + abs(least)):
+        if gain < least - COVERED * (abs(gain) + abs(least)):
             return 0.0, -1.0, low
         return t_low, 0.0, low
     start = near
@@ -108,30 +97,28 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            near = NEAR * t
             bend = 0.0
             if i > 0:
                 bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before)
             if bend != 0.0 and abs(bend) < 0.5 * rate:
                 # Halley's method, with the change of the slope since the step before
                 newton = t - error / (rate - bend)
-                near = NEAR_BENT * t
             # the error of the next step is the square of this one, or less
-            if abs(newton - t) <= near:
+            if abs(newton - t) <= HALF_DIGITS * t:
                 change, growth = ramp_change(newton, axis)
                 return newton, a + change
             reached = first + second
             # far from the root, Newton's method on logarithms, as the gain is nearly a power
             far = reached > 0.0 and gain > 0.0 and (reached > 2.0 * gain or gain > 2.0 * reached)
-            # a power of this height leads out of the bracket, and can overflow
-            if far and reached < HEIGHT * t * rate:
+            # a higher power leads out of the bracket
+            if far and reached < t * rate:
                 newton = t * (gain / reached) ** (reached / (t * rate))
                 # the power can differ on both sides of the root: halve the bracket in between
                 if i % 3 == 2:
-                    newton = sqrt(max(lower, LEAST * upper) * upper)
+                    newton = sqrt(lower * upper)
             if newton > lower and newton < upper:
                 following = newton
-        if abs(following - t) <= TIME * t:
+        if abs(following - t) <= LAST_DIGIT * t:
             return t, level
         t_before = t
         rate_before = rate

@@ -10,17 +10,11 @@ arcs of one. In its middle, the ramp between the levels is slower: its duration 
 needs, with p = 0 or q = 0. Along all these arcs the distance is searched for (arcs.py).
 """
 
-from segfmu.kernels.numerics.numbers import HALVINGS
+from segfmu.kernels.numerics.numbers import HALF_DIGITS, HALVINGS, LAST_DIGIT
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
 from segfmu.kernels.planner.records import Family, LoopArc, Problem
 from segfmu.kernels.planner.sides import side_limit
-
-# the least radius of a loop that is tried, as a share of the largest one
-LEAST = 1e-6
-# shares of rounding: of a gain of velocity, and of a radius
-GAIN = 1e-16
-RADIUS = 4e-16
 
 
 def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float:
@@ -124,7 +118,8 @@ def loop_radius(
     """
     lower = 0.0
     e_lower = -missing
-    upper = min(max(0.25 * missing / family[Family.TOP], LEAST * largest), 0.25 * largest)
+    upper = max(0.25 * missing / family[Family.TOP], HALF_DIGITS * largest)
+    upper = min(upper, 0.25 * largest)
     e_upper = set_point(place, upper, family, axis)
     while e_upper < 0.0 or arc == LoopArc.FOLD:
         if not upper < largest:
@@ -142,9 +137,9 @@ def loop_radius(
     e_other = e_lower
     e_before = e_lower
     scale = abs(family[Family.V]) + abs(family[Family.W]) + missing
-    most = max(GAIN * scale, accuracy * missing)
+    most = max(LAST_DIGIT * scale, accuracy * missing)
     for i in range(HALVINGS):
-        if abs(e_newest) <= most or abs(other - newest) <= RADIUS * newest:
+        if abs(e_newest) <= most or abs(other - newest) <= LAST_DIGIT * newest:
             break
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         radius = newest + share * (other - newest)

@@ -6,11 +6,9 @@ BY_TIME of a family (Family) selects duration or distance, TARGET is its value.
 from segfmu.kernels.planner.records import Family
 from segfmu.kernels.planner.search import bracketed_root, canonical_value, window_edge
 
-# parameters on this side of SCALE and in all, growing as squares, and halvings to the edge of a
-# window
+# parameters on this side of SCALE and in all, growing as squares
 SCALED = 12
 MEMBERS = 36
-EDGE = 24
 
 
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:
@@ -43,10 +41,10 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
             outside = family[Family.SCALE] * (i - 1) * (i - 1) / (SCALED * SCALED)
-            lower = window_edge(EDGE, p, outside, family, axis)
+            lower = window_edge(p, outside, family, axis)
             f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
-            upper = window_edge(EDGE, lower, p, family, axis)
+            upper = window_edge(lower, p, family, axis)
             f_upper, duration = canonical_value(upper, family, axis)
         found = lower >= 0.0 and (f_lower - target) * (f_upper - target) <= 0.0
         found = found and f_upper != f_lower

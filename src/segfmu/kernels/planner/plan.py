@@ -3,7 +3,7 @@
 `plan_phases` is the entry point; it allocates nothing.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, NEVER, SAME
+from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, NEVER, SAME
 from segfmu.kernels.planner.intervals import (
     LONGEST_SAMPLE,
     SHORTEST_SAMPLE,
@@ -26,9 +26,6 @@ from segfmu.kernels.planner.records import (
     WaypointState,
 )
 from segfmu.kernels.planner.sides import own_side, set_lower, side_limit
-
-# sweeps over the intervals until no time is left
-SWEEPS = 50
 
 
 def check_waypoints(
@@ -150,7 +147,7 @@ def prolong_all(
     step = axes.shape[0]
     for j in range(first, cells.shape[0], step):
         cells[j, Cell.PLACE, Place.PROLONGED] = 1.0
-    for sweep in range(SWEEPS):
+    for sweep in range(HALVINGS):
         rest, base, count = time_left(first, step, target, cells)
         if rest <= SAME * target:
             return True

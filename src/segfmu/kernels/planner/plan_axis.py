@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import WORTH
+from segfmu.kernels.numerics.numbers import TIE, WORTH
 from segfmu.kernels.planner.intervals import set_shortest
 from segfmu.kernels.planner.parameters import (
     moderate_share,
@@ -26,9 +26,6 @@ from segfmu.kernels.planner.records import (
     Rises,
 )
 from segfmu.kernels.planner.sides import own_side, side_limit
-
-# a thousandth less is no reason for steeper rises
-LESS = 0.999
 
 
 def note_shortest(time: float, axis: 'float[:]', cell: 'float[:,:]') -> None:
@@ -105,7 +102,7 @@ def smoothness_share(usual: float, share: float) -> float:
     A motion of the snap lasts as the square root of 1 - share, and so does a change of the velocity
     with the jerk alone.
     """
-    return LESS * sqrt((1.0 - usual) / (1.0 - share))
+    return sqrt((1.0 - usual) / (1.0 - share)) / TIE
 
 
 def shorter_with(

@@ -1,11 +1,9 @@
 """Checks of waypoints and limits before planning."""
 
-from segfmu.kernels.numerics.numbers import NEARLY
+from segfmu.kernels.numerics.numbers import NEARLY, ROUNDED
 from segfmu.kernels.planner.intervals import LONGEST_SAMPLE, SHORTEST_SAMPLE, WHOLE, round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
 
-# what is rounded again stays as it is within this share
-ROUNDED = 1e-15
 # the largest double
 LARGEST = 1.7976931348623157e308
 

@@ -2,14 +2,10 @@
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import HALVINGS
+from segfmu.kernels.numerics.numbers import HALF_DIGITS, HALVINGS
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.ramp import inner_rise
 from segfmu.kernels.planner.records import Axis
-
-# where a peak is known, as shares of a ramp and of a piece
-PEAK = 1e-9
-PEAK_OF_PIECE = 1e-7
 
 
 def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
@@ -48,7 +44,7 @@ def invert_curved_part(value: float, upper: float, axis: 'float[:]') -> float:
             if s + newton >= low and s + newton <= high:
                 step = newton
         s = s + step
-        if abs(step) <= PEAK:
+        if abs(step) <= HALF_DIGITS:
             return s
     return s
 
@@ -169,6 +165,6 @@ def crossing_time(
             if t + newton >= low and t + newton <= high:
                 step = newton
         t = t + step
-        if abs(step) <= PEAK_OF_PIECE * length:
+        if abs(step) <= HALF_DIGITS * length:
             break
     return t

@@ -3,30 +3,34 @@
 BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
-from segfmu.kernels.numerics.numbers import COVERED, GOLDEN, HALVINGS, LAST_DIGIT, ROUNDED
+from segfmu.kernels.numerics.numbers import (
+    COVERED,
+    GOLDEN,
+    HALVINGS,
+    LAST_DIGIT,
+    NEARLY,
+    ROUNDED,
+    SECTIONS,
+)
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
 
-# steps of golden section, doublings to a parameter that has a member and to one that covers enough
-SECTIONS = 30
-DOUBLINGS = 60
-FARTHER = 200
-# parameters that are tried before those
-SHORTER = 12
-# samples up to a member that distances rise to
+# samples up to a member that distances rise to, and of shorter members: more take more time than
+# the few plans gain that they shorten
 RISING = 8
+SHORTER = 12
 
 
 def window_edge(
-    halvings: int, inside: float, outside: float, family: 'float[:]', axis: 'float[:]'
+    inside: float, outside: float, family: 'float[:]', axis: 'float[:]'
 ) -> float:
     """Bisect between a parameter that has a canonical member and one that has none."""
-    for i in range(halvings):
+    for i in range(HALVINGS):
         middle = 0.5 * (inside + outside)
-        if middle == inside or middle == outside:
+        if abs(inside - outside) <= NEARLY * middle:
             break
         if has_member(middle, family, axis):
             inside = middle
@@ -154,7 +158,7 @@ def first_window(
     end = t_zero
     going_on = t_zero
     if duration < 0.0:
-        end = window_edge(HALVINGS, 0.0, t_zero, family, axis)
+        end = window_edge(0.0, t_zero, family, axis)
         value, duration = canonical_value(end, family, axis)
         going_on = -1.0
     if family[Family.V] < 0.0:
@@ -192,12 +196,11 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
     -1 if there is none. A longer motion covers less distance while the velocity in between is
     negative.
     """
-    samples = SHORTER
     span = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
-    for i in range(1, samples + 1):
+    for i in range(1, SHORTER + 1):
         if only_farther(family):
             return -1.0
-        p = span * i * i / (samples * samples)
+        p = span * i * i / (SHORTER * SHORTER)
         value, duration = canonical_value(p, family, axis)
         if duration < 0.0:
             return -1.0
@@ -259,12 +262,12 @@ def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
     """First parameter beyond t_zero with a member, if t_zero has none."""
     upper = family[Family.LAST_RAMP]
     value, duration = canonical_value(upper, family, axis)
-    for i in range(DOUBLINGS):
+    for i in range(HALVINGS):
         if duration >= 0.0:
             break
         upper = 2.0 * upper
         value, duration = canonical_value(upper, family, axis)
-    return window_edge(HALVINGS, upper, t_zero, family, axis)
+    return window_edge(upper, t_zero, family, axis)
 
 
 def farther_member(
@@ -275,7 +278,7 @@ def farther_member(
     upper = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
     if upper <= lower:
         upper = 2.0 * lower
-    for i in range(FARTHER):
+    for i in range(HALVINGS):
         f_upper, duration = canonical_value(upper, family, axis)
         if f_upper >= family[Family.TARGET]:
             return bracketed_root(lower, upper, f_lower, f_upper, family, axis)

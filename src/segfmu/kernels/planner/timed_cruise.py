@@ -4,7 +4,7 @@ A cruise velocity is possible if its velocity changes leave time for a cruise. T
 form one or several windows; within a window the distance is continuous.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, ROUNDED
+from segfmu.kernels.numerics.numbers import EQUAL, GAINED, HALVINGS, ROUNDED, SAMPLES
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import (
@@ -16,14 +16,8 @@ from segfmu.kernels.planner.phases import (
 from segfmu.kernels.planner.records import Cell, Nearest, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
 
-# errors of the duration [share] and the velocity that a profile may have
-TIME_ERROR = 3e-11
-VELOCITY_ERROR = 1e-11
-# of an edge between cruises, as a share of the interval that it lies in
-EDGE = 1e-10
-# cruise velocities that are tried, and widenings of the range around one that is near
-SAMPLES = 24
-WIDENINGS = 30
+# of the change of a cruise velocity that the distance needs, by how much more it is changed at
+# first: a mean with a velocity much farther away is another motion
 WIDER = 2.5
 
 
@@ -69,7 +63,7 @@ def cruise_range(
     cruise = middle + WIDER * missing / (problem[Problem.DURATION] + hold)
     if cruise * limit > limit * limit:
         cruise = limit
-    for i in range(WIDENINGS):
+    for i in range(HALVINGS):
         if abs(missing) > distance_within(outside - inside, problem):
             break
         count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
@@ -109,9 +103,9 @@ def keep_nearest(
     )
     if is_beyond(lowest, highest, 1.0 + EQUAL, axis):
         return
-    if abs(duration - target) > TIME_ERROR * target:
+    if abs(duration - target) > GAINED * target:
         return
-    if abs(end - problem[Problem.W]) > VELOCITY_ERROR * max(-lowest, highest):
+    if abs(end - problem[Problem.W]) > GAINED * max(-lowest, highest):
         return
     below = nearest[Nearest.BELOW_COUNT] > 0.0
     if y <= distance and (not below or y > nearest[Nearest.BELOW_DISTANCE]):
@@ -207,9 +201,8 @@ def cruise_edge(
     h_newest = h_outside
     h_other = h_inside
     h_before = h_inside
-    width = EDGE * abs(outside - inside)
     for i in range(HALVINGS):
-        if abs(outside - inside) <= width:
+        if newest == other:
             break
         share = root_share(newest, other, before, h_newest, h_other, h_before)
         cruise = newest + share * (other - newest)
@@ -249,15 +242,14 @@ def scan_cruises(
     distance = problem[Problem.DISTANCE]
     fastest = speed_bound(1.0, problem[Problem.DURATION], problem, axis)
     backwards = speed_bound(-1.0, problem[Problem.DURATION], problem, axis)
-    samples = SAMPLES
     inside = False
     before = 0.0
     e_before = 0.0
     h_before = 0.0
-    for i in range(samples + 1):
-        cruise = fastest * (2.0 * i / samples - 1.0)
+    for i in range(SAMPLES + 1):
+        cruise = fastest * (2.0 * i / SAMPLES - 1.0)
         if cruise < 0.0:
-            cruise = backwards * (2.0 * i / samples - 1.0)
+            cruise = backwards * (2.0 * i / SAMPLES - 1.0)
         count, y, hold = timed_cruise(trial, cruise, problem, axis)
         error = y - distance
         fits = count >= 0 and hold >= 0.0

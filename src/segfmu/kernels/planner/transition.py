@@ -1,9 +1,6 @@
 """Transition polynomials: Psi of (12) of the paper (errata E1, E2), and their peaks (errata E3)."""
 
-# halvings of an interval that has the zero of a derivative
-BISECTIONS = 60
-# samples of half an interval for each order of a derivative
-SAMPLES = 64
+from segfmu.kernels.numerics.numbers import HALVINGS, SAMPLES
 
 
 def transition_coefficients(order: int, coefficients: 'float[:]') -> None:
@@ -57,7 +54,7 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
             lower = 0.0
         # bisect the next derivative, which changes sign at an interior extremum
         left = polynomial_derivative(coefficients, count, j + 1, lower)
-        for i in range(BISECTIONS):
+        for i in range(HALVINGS):
             middle = 0.5 * (lower + upper)
             slope = polynomial_derivative(coefficients, count, j + 1, middle)
             if slope * left > 0.0:

@@ -11,7 +11,8 @@ from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 
-# end accelerations on both sides of zero leave a window where one is this small beside the other
+# end accelerations on both sides of zero leave a window where one is this small beside the other;
+# to look everywhere finds no more and takes an eighth of the time of short plans
 SMALL = 0.2
 
 
