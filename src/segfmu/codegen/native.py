@@ -39,7 +39,7 @@ def generate() -> dict[str, str]:
     prototypes = [line for line in lines if re.match(r"\w[\w ]*\*? \w+\(.*\);$", line)]
     public = [line for line in prototypes if _name(line) in ENTRY_POINTS]
     private = [f"static {line}" for line in prototypes if _name(line) not in ENTRY_POINTS]
-    body = _used(_static(_spans(body.removeprefix('#include "kernels.h"\n'))))
+    body = _short(_used(_static(_spans(body.removeprefix('#include "kernels.h"\n')))))
     source = f'{BANNER}#include "kernels.h"\n\n#include <math.h>\n\n'
     return {
         "kernels.c": source + _prefixed("\n".join(private) + "\n" + body.rstrip() + "\n"),
@@ -132,6 +132,22 @@ def _used_in(body: str) -> str:
         )
         body = re.sub(rf"^ +(?:double|int64_t|bool) {name};\n", "", body, flags=re.M)
     return body
+
+
+def _short(text: str) -> str:
+    """The same in fewer characters, as it is in each archive: plain numbers, a space a level."""
+    text = re.sub(r"INT64_C\((\d{1,9})\)", r"\1", text)
+    kinds = r"(?:double|int64_t|bool|array_\w+)"
+    text = re.sub(rf"(?:^ +{kinds} \w+;\n)+", _together, text, flags=re.M)
+    return re.sub(r"^(?: {4})+", lambda m: " " * (len(m[0]) // 4), text, flags=re.M)
+
+
+def _together(declarations: re.Match[str]) -> str:
+    """Declarations of one kind in one line."""
+    names: dict[str, list[str]] = {}
+    for kind, name in re.findall(r"(\w+) (\w+);", declarations[0]):
+        names.setdefault(kind, []).append(name)
+    return "".join(f"    {kind} {', '.join(them)};\n" for kind, them in names.items())
 
 
 def _prefixed(text: str) -> str:

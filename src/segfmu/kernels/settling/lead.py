@@ -15,7 +15,7 @@ from segfmu.kernels.settling.brake_limits import is_outside
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.level_search import jumps_often, permits_levels, search_levels
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadTask, LeadWork
-from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, search_soonest
+from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, try_steeper
 from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead, try_level
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece
@@ -188,12 +188,13 @@ def search_stages(
     soonest_ends(order, lead)
     for i in range(Chain.SIZE):
         lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
-    search_soonest(order, within, 0, 1, limits, lead, timing, coefficients)
-    if leads_in(within, lead):
-        return
-    if not goes_on_at_level(order, limits, lead, timing, coefficients):
-        search_soonest(order, within, 1, STEEPEST, limits, lead, timing, coefficients)
-        search_ends(order, within, limits, lead, timing, coefficients)
+    for times in range(STEEPEST):
+        if not try_steeper(order, within, times, limits, lead, timing, coefficients):
+            break
+        if times == 0:
+            if goes_on_at_level(order, limits, lead, timing, coefficients):
+                return
+    search_ends(order, within, limits, lead, timing, coefficients)
 
 
 def improve_lead(

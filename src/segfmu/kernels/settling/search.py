@@ -151,34 +151,30 @@ def improve_ends(
             search_end(order, stage, limits, lead, timing, coefficients)
 
 
-def search_soonest(
+def try_steeper(
     order: int,
     within: float,
-    first: int,
-    last: int,
+    times: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> None:
-    """Search for a lead whose stages end as soon as possible.
+) -> bool:
+    """Try the soonest ends with derivatives that nothing limits (`set_limits`) raised so often.
 
-    Derivatives that nothing limits (`set_limits`) are raised `first` to `last` - 1 times, as long
-    as that shortens a lead (WORTH_STEEPER) of more than `within` [s].
+    Whether to raise them once more may shorten a lead that takes more than `within` [s]: as long as
+    it did (WORTH_STEEPER), and after the first time.
     """
-    for i in range(first, last):
-        steep = STEEPER ** i
-        set_limits(steep, lead)
-        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
-        before = lead[LeadWork.BEST, Lead.TIME]
-        try_soonest(order, within, limits, lead, timing, coefficients)
-        if lead[LeadWork.BEST, Lead.TIME] != before:
-            lead[LeadWork.BEST, Lead.STEEP] = steep
-        elif i > 1:
-            break
-        if leads_in(within, lead):
-            break
+    steep = STEEPER ** times
+    set_limits(steep, lead)
+    lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
+    before = lead[LeadWork.BEST, Lead.TIME]
+    try_soonest(order, within, limits, lead, timing, coefficients)
     lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    shorter = lead[LeadWork.BEST, Lead.TIME] != before
+    if shorter:
+        lead[LeadWork.BEST, Lead.STEEP] = steep
+    return (shorter or times <= 1) and not leads_in(within, lead)
 
 
 def search_ends(
