@@ -2,9 +2,9 @@
 
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
-other ends are free. The soonest ends, and the level that the following profile wants first, also
-tell how steep the rises of derivatives have to be that nothing limits. Other ends are searched for
-by halved steps, or over a grid where the soonest are the best. The search counts with profiles of
+other ends are free. The soonest ends, and the level that the following profile wants first, tell
+how steep the rises of derivatives have to be that nothing limits. Then the ends are searched for by
+halved steps, or over a grid where the soonest are the best. The search counts with profiles of
 ramps alone, which are found sooner.
 """
 
@@ -91,14 +91,8 @@ def search_end(
             step = 0.5 * step
 
 
-def leads_in(time: float, lead: 'float[:,:]') -> bool:
-    """Whether there is a lead that takes `time` [s] at most."""
-    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
-
-
 def try_soonest(
     order: int,
-    within: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
@@ -106,8 +100,7 @@ def try_soonest(
 ) -> None:
     """Try the soonest ends of all stages, and those at the first level of what follows.
 
-    The level of the profile behind such a lead is tried in turn, as long as that shortens it, and
-    it takes more than `within` [s].
+    The level of the profile behind such a lead is tried in turn, as long as that shortens it.
     """
     first = lead[LeadWork.PHASES, :]
     stage = first_free_stage(order)
@@ -117,7 +110,7 @@ def try_soonest(
         return
     bound = lead[LeadWork.LIMITS, stage]
     for i in range(FOLLOWED):
-        if time >= NEVER or first[Phase.ABOVE] != 0.0 or leads_in(within, lead):
+        if time >= NEVER or first[Phase.ABOVE] != 0.0:
             break
         before = lead[LeadWork.BEST, Lead.TIME]
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
@@ -125,6 +118,11 @@ def try_soonest(
         time = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
         if before >= 0.0 and lead[LeadWork.BEST, Lead.TIME] > WORTH_FOLLOWING * before:
             break
+
+
+def leads_in(time: float, lead: 'float[:,:]') -> bool:
+    """Whether there is a lead that takes `time` [s] at most."""
+    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
 
 
 def first_free_stage(order: int) -> int:
@@ -151,33 +149,36 @@ def improve_ends(
             search_end(order, stage, limits, lead, timing, coefficients)
 
 
-def try_steeper(
+def choose_steepness(
     order: int,
     within: float,
-    times: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> bool:
-    """Try the soonest ends with derivatives that nothing limits (`set_limits`) raised so often.
+) -> float:
+    """The steepness of derivatives that nothing limits with which leads are soon (`set_limits`).
 
-    Whether to raise them once more may shorten a lead that takes more than `within` [s]: as long as
-    it did (WORTH_STEEPER), and after the first time.
+    They are raised until that shortens a lead no more (WORTH_STEEPER).
     """
-    steep = STEEPER ** times
-    set_limits(steep, lead)
-    lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
-    before = lead[LeadWork.BEST, Lead.TIME]
-    try_soonest(order, within, limits, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
-    shorter = lead[LeadWork.BEST, Lead.TIME] != before
-    if shorter:
-        lead[LeadWork.BEST, Lead.STEEP] = steep
-    return (shorter or times <= 1) and not leads_in(within, lead)
+    chosen = 1.0
+    steep = 1.0
+    for i in range(STEEPEST):
+        set_limits(steep, lead)
+        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
+        before = lead[LeadWork.BEST, Lead.TIME]
+        try_soonest(order, limits, lead, timing, coefficients)
+        if lead[LeadWork.BEST, Lead.TIME] != before:
+            chosen = steep
+        elif i > 1:
+            break
+        if leads_in(within, lead):
+            break
+        steep = STEEPER * steep
+    return chosen
 
 
-def search_ends(
+def search_stages(
     order: int,
     within: float,
     limits: 'float[:]',
@@ -186,7 +187,11 @@ def search_ends(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead of `within` [s] at most, else the best, by the ends of its stages."""
-    steep = lead[LeadWork.BEST, Lead.STEEP]
+    soonest_ends(order, lead)
+    for i in range(Chain.SIZE):
+        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
+    steep = choose_steepness(order, within, limits, lead, timing, coefficients)
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
     for i in range(STEEPEST):
         if is_settled(lead) or leads_in(within, lead):
             break
