@@ -52,9 +52,10 @@ static int plan_onward(replanning *t, const segfmu_problem *p, const double *ful
     if (status == PLAN_STATUS_PLANNED || status == PLAN_STATUS_CHECK_FAILED) {
         const piece_list whole = segfmu_part(t, PLAN_PART_WHOLE);
         segfmu_show(t, &whole, m, times, trajectory);
+    } else {
+        memcpy(trajectory->report, rows + (LEAD_WORK_PLAN + PLAN_WORK_REFUSAL) * LEAD_WORK_COLUMNS,
+               sizeof trajectory->report);
     }
-    memcpy(trajectory->report, rows + (LEAD_WORK_PLAN + PLAN_WORK_REFUSAL) * LEAD_WORK_COLUMNS,
-           sizeof trajectory->report);
     return (int)status;
 }
 
