@@ -869,12 +869,12 @@ static double try_lead(int64_t order, int64_t row, array_double_1d limits, array
 static double try_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_end(int64_t order, int64_t stage, double end, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_end(int64_t order, int64_t stage, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool leads_in(double time, array_double_2d lead);
 static int64_t first_free_stage(int64_t order);
 static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static bool leads_in(double time, array_double_2d lead);
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool try_steeper(int64_t order, double within_0001, int64_t times, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static bool jumps_often(array_double_2d lead);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -885,6 +885,8 @@ static bool permits_levels(int64_t order, array_double_2d lead);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
+static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -23627,7 +23629,7 @@ static bool is_better(double time, array_double_2d lead)
  double best;
  bool result;
  best = (*cspan_at(&lead, 23, 0));
- result = (best < 0.0) || (time < best * (*cspan_at(&lead, 23, 3)));
+ result = (best < 0.0) || (time < best * (*cspan_at(&lead, 23, 4)));
  return result;
 }
 static bool keep_better(int64_t last, double time, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -23655,7 +23657,7 @@ static bool keep_better(int64_t last, double time, array_double_1d limits, array
   }
  }
  keep_lead(last, time, lead, timing, coefficients);
- (*cspan_at(&lead, 23, 3)) = 1.0 - 1e-12;
+ (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
  return 1;
 }
 static double try_velocity(int64_t row, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -23792,6 +23794,12 @@ static void search_end(int64_t order, int64_t stage, array_double_1d limits, arr
   }
  }
 }
+static bool leads_in(double time, array_double_2d lead)
+{
+ bool result;
+ result = (0.0 <= (*cspan_at(&lead, 23, 0))) && ((*cspan_at(&lead, 23, 0)) <= time);
+ return result;
+}
 static int64_t first_free_stage(int64_t order)
 {
  if (order == 1)
@@ -23830,12 +23838,6 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
   }
  }
 }
-static bool leads_in(double time, array_double_2d lead)
-{
- bool result;
- result = (0.0 <= (*cspan_at(&lead, 23, 0))) && ((*cspan_at(&lead, 23, 0)) <= time);
- return result;
-}
 static void improve_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  int64_t i, stage;
@@ -23852,45 +23854,29 @@ static void improve_ends(int64_t order, double within_0001, array_double_1d limi
   }
  }
 }
-static double choose_steepness(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static bool try_steeper(int64_t order, double within_0001, int64_t times, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
- double steep, before, chosen;
- int64_t i;
- chosen = 1.0;
- steep = 1.0;
- for (i = 0; i < 4; i += 1)
- {
-  set_limits(steep, lead);
-  (*cspan_at(&lead, 23, 3)) = 0.99;
-  before = (*cspan_at(&lead, 23, 0));
-  try_soonest(order, limits, lead, timing, coefficients);
-  if ((*cspan_at(&lead, 23, 0)) != before)
-  {
-   chosen = steep;
-  }
-  else if (i > 1)
-  {
-   break;
-  }
-  if (leads_in(within_0001, lead))
-  {
-   break;
-  }
-  steep = 10.0 * steep;
- }
- return chosen;
-}
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
-{
- int64_t i;
  double steep, before;
- soonest_ends(order, lead);
- for (i = 0; i < 9; i += 1)
+ bool shorter, result;
+ steep = pow(10.0, (double)(times));
+ set_limits(steep, lead);
+ (*cspan_at(&lead, 23, 4)) = 0.99;
+ before = (*cspan_at(&lead, 23, 0));
+ try_soonest(order, limits, lead, timing, coefficients);
+ (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
+ shorter = (*cspan_at(&lead, 23, 0)) != before;
+ if (shorter)
  {
-  (*cspan_at(&lead, 22, i)) = (*cspan_at(&lead, 21, i));
+  (*cspan_at(&lead, 23, 3)) = steep;
  }
- steep = choose_steepness(order, within_0001, limits, lead, timing, coefficients);
- (*cspan_at(&lead, 23, 3)) = 1.0 - 1e-12;
+ result = (shorter || (times <= 1)) && (!leads_in(within_0001, lead));
+ return result;
+}
+static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+ double steep, before;
+ int64_t i;
+ steep = (*cspan_at(&lead, 23, 3));
  for (i = 0; i < 4; i += 1)
  {
   if (is_settled(lead) || leads_in(within_0001, lead))
@@ -24031,7 +24017,7 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
  steep = 1.0;
  found = 1e+300;
  (*cspan_at(&lead, 23, 2)) = (*cspan_at(&lead, 15, level_order(order, lead)));
- (*cspan_at(&lead, 23, 3)) = 1.0 - 1e-12;
+ (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
  for (i = 0; i < 4; i += 1)
  {
   set_limits(steep, lead);
@@ -24047,13 +24033,13 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
   else
   {
    level = (*cspan_at(&lead, 23, 2));
-   found = follow_level(order, level, 1e+300, limits, lead, timing, coefficients);
+   found = try_level(order, level, 1e+300, limits, lead, timing, coefficients);
   }
   if ((i > 0) && ((*cspan_at(&lead, 23, 0)) == before))
   {
    break;
   }
-  (*cspan_at(&lead, 23, 3)) = 0.99;
+  (*cspan_at(&lead, 23, 4)) = 0.99;
   steep = 10.0 * steep;
  }
 }
@@ -24166,17 +24152,57 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
  }
  return 1;
 }
+static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+ double before, level;
+ bool result;
+ if ((order == 1) || jumps_often(lead) || (!permits_levels(order, lead)))
+ {
+  return 0;
+ }
+ before = (*cspan_at(&lead, 23, 0));
+ level = (*cspan_at(&lead, 15, level_order(order, lead)));
+ try_level(order, level, 1e+300, limits, lead, timing, coefficients);
+ result = (*cspan_at(&lead, 23, 0)) != before;
+ return result;
+}
+static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+{
+ int64_t i, times;
+ soonest_ends(order, lead);
+ for (i = 0; i < 9; i += 1)
+ {
+  (*cspan_at(&lead, 22, i)) = (*cspan_at(&lead, 21, i));
+ }
+ for (times = 0; times < 4; times += 1)
+ {
+  if (!try_steeper(order, within_0001, times, limits, lead, timing, coefficients))
+  {
+   break;
+  }
+  if (times == 0)
+  {
+   if (goes_on_at_level(order, limits, lead, timing, coefficients))
+   {
+    return;
+   }
+  }
+ }
+ search_ends(order, within_0001, limits, lead, timing, coefficients);
+}
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  int64_t i;
- double time;
+ if (leads_in(within_0001, lead) && (!jumps_often(lead)))
+ {
+  return;
+ }
  time_anew(order, lead);
  for (i = 0; i < 9; i += 1)
  {
   (*cspan_at(&lead, 15, i)) = (*cspan_at(&lead, 7, i));
  }
- time = (*cspan_at(&lead, 23, 0));
- if (((time < 0.0) || (time > within_0001)) && permits_levels(order, lead))
+ if (permits_levels(order, lead) && (!leads_in(within_0001, lead)))
  {
   search_levels(order, limits, lead, timing, coefficients);
  }
@@ -24243,6 +24269,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
  int64_t smoothness, shape;
  (*cspan_at(&lead, 23, 0)) = -1.0;
  (*cspan_at(&lead, 23, 1)) = 0.0;
+ (*cspan_at(&lead, 23, 3)) = 1.0;
  brakes = (*cspan_at(&lead, 0, 3)) != 0.0;
  smoothness = limits.shape[0] - 1;
  if ((axis < 0) || (smoothness < 2) || (smoothness > 6) || (coefficients.shape[1] != 2 * smoothness))
@@ -24257,7 +24284,7 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
    search_stages(order, within_0001, limits, lead, timing, coefficients);
    if (jumps_often(lead))
    {
-    (*cspan_at(&lead, 23, 3)) = 1.0 - 1e-12;
+    (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
     follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
    }
    improve_lead(order, within_0001, limits, lead, timing, coefficients);

@@ -2533,8 +2533,9 @@ enum {
     LEAD_TIME = 0,
     LEAD_COUNT = 1,
     LEAD_LEVEL = 2,
-    LEAD_GAIN = 3,
-    LEAD_SIZE = 4
+    LEAD_STEEP = 3,
+    LEAD_GAIN = 4,
+    LEAD_SIZE = 5
 };
 
 enum {

@@ -12,10 +12,11 @@ from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
+from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.level_search import jumps_often, permits_levels, search_levels
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
-from segfmu.kernels.settling.search import search_stages
-from segfmu.kernels.settling.trial import time_anew, try_lead
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadTask, LeadWork
+from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, try_steeper
+from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead, try_level
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -114,6 +115,7 @@ def find_lead(
     """
     lead[LeadWork.BEST, Lead.TIME] = -1.0
     lead[LeadWork.BEST, Lead.COUNT] = 0.0
+    lead[LeadWork.BEST, Lead.STEEP] = 1.0
     brakes = lead[LeadWork.TASK, LeadTask.BRAKES] != 0.0
     smoothness = limits.shape[0] - 1
     if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
@@ -151,6 +153,50 @@ def start_search(shape: int, limits: 'float[:]', lead: 'float[:,:]') -> bool:
     return True
 
 
+def goes_on_at_level(
+    order: int,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> bool:
+    """Whether a lead over the present level is the best one so far; then it is kept.
+
+    It is tried with limits up to the snap alone, where its time seldom jumps; and not on the way to
+    a velocity, where the end of a stage takes less time to try.
+    """
+    if order == LeadStage.VELOCITY or jumps_often(lead) or not permits_levels(order, lead):
+        return False
+    before = lead[LeadWork.BEST, Lead.TIME]
+    level = lead[LeadWork.START, level_order(order, lead)]
+    try_level(order, level, NEVER, limits, lead, timing, coefficients)
+    return lead[LeadWork.BEST, Lead.TIME] != before
+
+
+def search_stages(
+    order: int,
+    within: float,
+    limits: 'float[:]',
+    lead: 'float[:,:]',
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> None:
+    """Search for a lead by its stages.
+
+    Where one goes on at its present level, the soonest ends do: others gain nothing beside that.
+    """
+    soonest_ends(order, lead)
+    for i in range(Chain.SIZE):
+        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
+    for times in range(STEEPEST):
+        if not try_steeper(order, within, times, limits, lead, timing, coefficients):
+            break
+        if times == 0:
+            if goes_on_at_level(order, limits, lead, timing, coefficients):
+                return
+    search_ends(order, within, limits, lead, timing, coefficients)
+
+
 def improve_lead(
     order: int,
     within: float,
@@ -160,11 +206,12 @@ def improve_lead(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search over levels where there is no lead yet, or it takes longer than `within` [s]."""
+    if leads_in(within, lead) and not jumps_often(lead):
+        return
     time_anew(order, lead)
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
-    time = lead[LeadWork.BEST, Lead.TIME]
-    if (time < 0.0 or time > within) and permits_levels(order, lead):
+    if permits_levels(order, lead) and not leads_in(within, lead):
         search_levels(order, limits, lead, timing, coefficients)
 
 

@@ -137,7 +137,7 @@ def search_levels(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """`search_stages`, but over levels; shorter leads alone are kept."""
+    """Search for a lead over a level; shorter ones than the best alone are kept."""
     steep = 1.0
     found = NEVER
     lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
@@ -152,7 +152,7 @@ def search_levels(
                 improve_level(order, found, limits, lead, timing, coefficients)
         else:
             level = lead[LeadWork.BEST, Lead.LEVEL]
-            found = follow_level(order, level, NEVER, limits, lead, timing, coefficients)
+            found = try_level(order, level, NEVER, limits, lead, timing, coefficients)
         if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
             break
         lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER

@@ -39,6 +39,7 @@ class Lead(Record):
     TIME = field("from its start to the target, -1: there is none", "s")
     COUNT = field("number of its pieces")
     LEVEL = field("level of the best one that goes over a level")
+    STEEP = field("steepness of rises with which the stages of the best one end soonest")
     GAIN = field("a lead is better if it takes less than this share of its time")
 
 

@@ -2,9 +2,9 @@
 
 The last stage of a lead that ends at a velocity (order 1) leads to it; a lead to where the planner
 takes over (order 2) may end at any acceleration, and the planner's profile belongs to its time. All
-other ends are free. The soonest ends, and the level that the following profile wants first, tell
-how steep the rises of derivatives have to be that nothing limits. Then the ends are searched for by
-halved steps, or over a grid where the soonest are the best. The search counts with profiles of
+other ends are free. The soonest ends, and the level that the following profile wants first, also
+tell how steep the rises of derivatives have to be that nothing limits. Other ends are searched for
+by halved steps, or over a grid where the soonest are the best. The search counts with profiles of
 ramps alone, which are found sooner.
 """
 
@@ -91,6 +91,11 @@ def search_end(
             step = 0.5 * step
 
 
+def leads_in(time: float, lead: 'float[:,:]') -> bool:
+    """Whether there is a lead that takes `time` [s] at most."""
+    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
+
+
 def try_soonest(
     order: int,
     limits: 'float[:]',
@@ -100,7 +105,8 @@ def try_soonest(
 ) -> None:
     """Try the soonest ends of all stages, and those at the first level of what follows.
 
-    The level of the profile behind such a lead is tried in turn, as long as that shortens it.
+    The level of the profile behind such a lead is tried in turn, as long as that shortens it: of an
+    axis that waits as well, which the drives follow with less effort from there.
     """
     first = lead[LeadWork.PHASES, :]
     stage = first_free_stage(order)
@@ -118,11 +124,6 @@ def try_soonest(
         time = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
         if before >= 0.0 and lead[LeadWork.BEST, Lead.TIME] > WORTH_FOLLOWING * before:
             break
-
-
-def leads_in(time: float, lead: 'float[:,:]') -> bool:
-    """Whether there is a lead that takes `time` [s] at most."""
-    return 0.0 <= lead[LeadWork.BEST, Lead.TIME] <= time
 
 
 def first_free_stage(order: int) -> int:
@@ -149,36 +150,33 @@ def improve_ends(
             search_end(order, stage, limits, lead, timing, coefficients)
 
 
-def choose_steepness(
+def try_steeper(
     order: int,
     within: float,
+    times: int,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> float:
-    """The steepness of derivatives that nothing limits with which leads are soon (`set_limits`).
+) -> bool:
+    """Try the soonest ends with derivatives that nothing limits (`set_limits`) raised so often.
 
-    They are raised until that shortens a lead no more (WORTH_STEEPER).
+    Whether to raise them once more may shorten a lead that takes more than `within` [s]: as long as
+    it did (WORTH_STEEPER), and after the first time.
     """
-    chosen = 1.0
-    steep = 1.0
-    for i in range(STEEPEST):
-        set_limits(steep, lead)
-        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
-        before = lead[LeadWork.BEST, Lead.TIME]
-        try_soonest(order, limits, lead, timing, coefficients)
-        if lead[LeadWork.BEST, Lead.TIME] != before:
-            chosen = steep
-        elif i > 1:
-            break
-        if leads_in(within, lead):
-            break
-        steep = STEEPER * steep
-    return chosen
+    steep = STEEPER ** times
+    set_limits(steep, lead)
+    lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
+    before = lead[LeadWork.BEST, Lead.TIME]
+    try_soonest(order, limits, lead, timing, coefficients)
+    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    shorter = lead[LeadWork.BEST, Lead.TIME] != before
+    if shorter:
+        lead[LeadWork.BEST, Lead.STEEP] = steep
+    return (shorter or times <= 1) and not leads_in(within, lead)
 
 
-def search_stages(
+def search_ends(
     order: int,
     within: float,
     limits: 'float[:]',
@@ -187,11 +185,7 @@ def search_stages(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead of `within` [s] at most, else the best, by the ends of its stages."""
-    soonest_ends(order, lead)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
-    steep = choose_steepness(order, within, limits, lead, timing, coefficients)
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    steep = lead[LeadWork.BEST, Lead.STEEP]
     for i in range(STEEPEST):
         if is_settled(lead) or leads_in(within, lead):
             break
