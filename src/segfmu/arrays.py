@@ -118,6 +118,9 @@ def finite_times(t: ArrayLike) -> FloatArray:
 
 def as_tuple(name: str, value: Any) -> tuple[Any, ...]:
     """Return a sequence as a tuple; mappings, tables and bytes are none."""
+    # to look for a mapping takes longer than all else
+    if type(value) in (tuple, list):
+        return tuple(value)
     if isinstance(value, Mapping | bytes) or hasattr(value, "columns"):
         raise InputError(f"{name} must be a sequence, got {shown(value)}")
     return _as_tuple(name, value)

@@ -38,12 +38,15 @@ KEPT = 8
 class Space:
     """Arrays for leads and the plan behind them, for problems of some size.
 
-    size: numbers of waypoints and axes, and the smoothness. rows: of each part of the plan.
+    size: numbers of waypoints and axes, and the smoothness. room: for so many pieces that leads
+    follow.
     """
 
-    def __init__(self, size: Size, rows: int) -> None:
+    def __init__(self, size: Size, room: int) -> None:
         points, axes, smoothness = size
+        rows = LeadRows.PIECES * axes + LeadRows.ALL + room + usual_rows(size)
         self.size = size
+        self.room = room
         self.states = np.zeros((2 * points, axes, LeadEnd.SIZE))
         self.axes = np.zeros((2 * axes, Axis.SIZE))
         self.cells = np.zeros(((points - 1) * axes, Cell.SIZE, Cell.COLUMNS))
@@ -81,9 +84,8 @@ _spaces: dict[Size, Space] = {}
 
 def take_space(size: Size, pieces: int = 0) -> Space:
     """Work space of a size, with room for leads that follow so many pieces."""
-    rows = LeadRows.PIECES * size[1] + LeadRows.ALL + pieces + usual_rows(size)
     space = _spaces.pop(size, None)
-    return space if space is not None and space.timing.shape[1] >= rows else Space(size, rows)
+    return space if space is not None and space.room >= pieces else Space(size, pieces)
 
 
 def give_space(space: Space) -> None:
@@ -130,7 +132,7 @@ def _space_of(problem: Problem, start: FloatArray, pieces: int) -> Space:
     space.states[0, :, : start.shape[1]] = start
     space.states[1:points, :, : WaypointState.SIZE] = problem.states[1:]
     space.work[LeadWork.OPTIONS, : PlanOptions.SIZE] = problem.options.vector
-    space.offsets[:] = 0
+    space.offsets.fill(0)
     return space
 
 

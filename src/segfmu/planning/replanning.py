@@ -132,7 +132,7 @@ def left(trajectory: Trajectory, time: float) -> tuple[float, Pieces, Waypoint]:
         raise InputError(f"time must be a time >= 0 s, got {shown(time)}")
     timing = np.zeros((len(trajectory.timing) + trajectory.offsets.size, 2))
     coefficients = np.zeros((len(timing), trajectory.coefficients.shape[1]))
-    offsets = np.zeros_like(trajectory.offsets)
+    offsets = np.zeros(trajectory.offsets.size, dtype=np.int64)
     backend.cut_plan(
         given, trajectory.timing, trajectory.coefficients, trajectory.offsets, timing,
         coefficients, offsets,

@@ -135,7 +135,7 @@ def waypoint_of(states: FloatArray) -> Waypoint:
     point = object.__new__(Waypoint)
     vars(point).update(
         zip(("position", *DERIVATIVES), rows, strict=True), dwell=0.0, axes=axes,
-        planned=rows[: 1 + FREE].T, free=False, settled=not rows[1 + FREE :].any(),
+        planned=rows[: 1 + FREE].T, free=False, settled=not np.count_nonzero(rows[1 + FREE :]),
     )
     return point
 
