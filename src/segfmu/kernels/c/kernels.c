@@ -880,13 +880,13 @@ static bool jumps_often(array_double_2d lead);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void search_levels(int64_t order, double found, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool permits_levels(int64_t order, array_double_2d lead);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
 static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -24010,17 +24010,24 @@ static void improve_level(int64_t order, double least, array_double_1d limits, a
   }
  }
 }
-static void search_levels(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static void search_levels(int64_t order, double found, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
- double steep, found, before, level;
- int64_t i;
- steep = 1.0;
- found = 1e+300;
- (*cspan_at(&lead, 23, 2)) = (*cspan_at(&lead, 15, level_order(order, lead)));
- (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
- for (i = 0; i < 4; i += 1)
+ int64_t first, i;
+ double before, level;
+ first = 0;
+ if (found >= 1e+300)
  {
-  set_limits(steep, lead);
+  (*cspan_at(&lead, 23, 2)) = (*cspan_at(&lead, 15, level_order(order, lead)));
+  (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
+ }
+ else
+ {
+  first = 1;
+  (*cspan_at(&lead, 23, 4)) = 0.99;
+ }
+ for (i = first; i < 4; i += 1)
+ {
+  set_limits(pow(10.0, (double)(i)), lead);
   before = (*cspan_at(&lead, 23, 0));
   if ((found >= 1e+300) || ((i == 1) && jumps_often(lead)))
   {
@@ -24040,7 +24047,6 @@ static void search_levels(int64_t order, array_double_1d limits, array_double_2d
    break;
   }
   (*cspan_at(&lead, 23, 4)) = 0.99;
-  steep = 10.0 * steep;
  }
 }
 static bool permits_levels(int64_t order, array_double_2d lead)
@@ -24154,19 +24160,26 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
 }
 static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
- double before, level;
- bool result;
+ double level, best, found;
  if ((order == 1) || jumps_often(lead) || (!permits_levels(order, lead)))
  {
   return 0;
  }
- before = (*cspan_at(&lead, 23, 0));
  level = (*cspan_at(&lead, 15, level_order(order, lead)));
- try_level(order, level, 1e+300, limits, lead, timing, coefficients);
- result = (*cspan_at(&lead, 23, 0)) != before;
- return result;
+ best = (*cspan_at(&lead, 23, 0));
+ if (best < 0.0)
+ {
+  best = 1e+300;
+ }
+ found = follow_level(order, level, best, limits, lead, timing, coefficients);
+ if (found >= 1e+300)
+ {
+  return 0;
+ }
+ search_levels(order, found, limits, lead, timing, coefficients);
+ return 1;
 }
-static void search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
+static bool search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  int64_t i, times;
  soonest_ends(order, lead);
@@ -24180,15 +24193,13 @@ static void search_stages(int64_t order, double within_0001, array_double_1d lim
   {
    break;
   }
-  if (times == 0)
+  if ((times == 0) && goes_on_at_level(order, limits, lead, timing, coefficients))
   {
-   if (goes_on_at_level(order, limits, lead, timing, coefficients))
-   {
-    return;
-   }
+   return 1;
   }
  }
  search_ends(order, within_0001, limits, lead, timing, coefficients);
+ return 0;
 }
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -24204,7 +24215,7 @@ static void improve_lead(int64_t order, double within_0001, array_double_1d limi
  }
  if (permits_levels(order, lead) && (!leads_in(within_0001, lead)))
  {
-  search_levels(order, limits, lead, timing, coefficients);
+  search_levels(order, 1e+300, limits, lead, timing, coefficients);
  }
 }
 static void prepend_brake(int64_t steps, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
@@ -24251,8 +24262,10 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
     }
     if (start_search(shape, limits, lead))
     {
-     search_stages(order, within_0001, limits, lead, timing, coefficients);
-     improve_lead(order, within_0001, limits, lead, timing, coefficients);
+     if (!search_stages(order, within_0001, limits, lead, timing, coefficients))
+     {
+      improve_lead(order, within_0001, limits, lead, timing, coefficients);
+     }
     }
     for (i = 0; i < 9; i += 1)
     {
@@ -24281,13 +24294,15 @@ static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int
  {
   if (start_search(shape, limits, lead))
   {
-   search_stages(order, within_0001, limits, lead, timing, coefficients);
-   if (jumps_often(lead))
+   if (!search_stages(order, within_0001, limits, lead, timing, coefficients))
    {
-    (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
-    follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+    if (jumps_often(lead))
+    {
+     (*cspan_at(&lead, 23, 4)) = 1.0 - 1e-12;
+     follow_plan(order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead, timing, coefficients);
+    }
+    improve_lead(order, within_0001, limits, lead, timing, coefficients);
    }
-   improve_lead(order, within_0001, limits, lead, timing, coefficients);
   }
  }
  if (brakes && ((*cspan_at(&lead, 23, 0)) < 0.0))

@@ -13,10 +13,15 @@ from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
 from segfmu.kernels.settling.level import level_order
-from segfmu.kernels.settling.level_search import jumps_often, permits_levels, search_levels
+from segfmu.kernels.settling.level_search import (
+    follow_level,
+    jumps_often,
+    permits_levels,
+    search_levels,
+)
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadTask, LeadWork
 from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, try_steeper
-from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead, try_level
+from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead
 from segfmu.kernels.trajectory.check import rounding_error
 from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
@@ -123,15 +128,15 @@ def find_lead(
     shape = int(lead[LeadWork.TASK, LeadTask.SHAPE])
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
-            search_stages(order, within, limits, lead, timing, coefficients)
-            # with limits up to the snap settling at once takes no longer
-            if jumps_often(lead):
-                lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
-                follow_plan(
-                    order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead,
-                    timing, coefficients,
-                )
-            improve_lead(order, within, limits, lead, timing, coefficients)
+            if not search_stages(order, within, limits, lead, timing, coefficients):
+                # with limits up to the snap settling at once takes no longer
+                if jumps_often(lead):
+                    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+                    follow_plan(
+                        order, axis, plan_offsets, plan_timing, plan_coefficients, limits, lead,
+                        timing, coefficients,
+                    )
+                improve_lead(order, within, limits, lead, timing, coefficients)
     if brakes and lead[LeadWork.BEST, Lead.TIME] < 0.0:
         search_braked(order, within, shape, limits, lead, timing, coefficients)
     return lead[LeadWork.BEST, Lead.TIME] >= 0.0
@@ -160,17 +165,22 @@ def goes_on_at_level(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
-    """Whether a lead over the present level is the best one so far; then it is kept.
+    """Whether a lead over the present level is the best one so far; then steeper ones are tried.
 
-    It is tried with limits up to the snap alone, where its time seldom jumps; and not on the way to
-    a velocity, where the end of a stage takes less time to try.
+    That is for limits up to the snap alone, where its time seldom jumps; and not on the way to a
+    velocity, where the end of a stage takes less time to try.
     """
     if order == LeadStage.VELOCITY or jumps_often(lead) or not permits_levels(order, lead):
         return False
-    before = lead[LeadWork.BEST, Lead.TIME]
     level = lead[LeadWork.START, level_order(order, lead)]
-    try_level(order, level, NEVER, limits, lead, timing, coefficients)
-    return lead[LeadWork.BEST, Lead.TIME] != before
+    best = lead[LeadWork.BEST, Lead.TIME]
+    if best < 0.0:
+        best = NEVER
+    found = follow_level(order, level, best, limits, lead, timing, coefficients)
+    if found >= NEVER:
+        return False
+    search_levels(order, found, limits, lead, timing, coefficients)
+    return True
 
 
 def search_stages(
@@ -180,10 +190,10 @@ def search_stages(
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> None:
-    """Search for a lead by its stages.
+) -> bool:
+    """Search for a lead by its stages; whether one goes on at its present level.
 
-    Where one goes on at its present level, the soonest ends do: others gain nothing beside that.
+    Then other ends and levels gain nothing.
     """
     soonest_ends(order, lead)
     for i in range(Chain.SIZE):
@@ -191,10 +201,10 @@ def search_stages(
     for times in range(STEEPEST):
         if not try_steeper(order, within, times, limits, lead, timing, coefficients):
             break
-        if times == 0:
-            if goes_on_at_level(order, limits, lead, timing, coefficients):
-                return
+        if times == 0 and goes_on_at_level(order, limits, lead, timing, coefficients):
+            return True
     search_ends(order, within, limits, lead, timing, coefficients)
+    return False
 
 
 def improve_lead(
@@ -212,7 +222,7 @@ def improve_lead(
     for i in range(Chain.SIZE):
         lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
     if permits_levels(order, lead) and not leads_in(within, lead):
-        search_levels(order, limits, lead, timing, coefficients)
+        search_levels(order, NEVER, limits, lead, timing, coefficients)
 
 
 def search_braked(
@@ -234,8 +244,8 @@ def search_braked(
                 for i in range(Chain.SIZE):
                     lead[LeadWork.NOW, i] = lead[LeadWork.BRAKED, i]
                 if start_search(shape, limits, lead):
-                    search_stages(order, within, limits, lead, timing, coefficients)
-                    improve_lead(order, within, limits, lead, timing, coefficients)
+                    if not search_stages(order, within, limits, lead, timing, coefficients):
+                        improve_lead(order, within, limits, lead, timing, coefficients)
                 for i in range(Chain.SIZE):
                     lead[LeadWork.NOW, i] = lead[LeadWork.GIVEN, i]
                 prepend_brake(steps, lead, timing, coefficients)

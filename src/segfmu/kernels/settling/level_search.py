@@ -132,18 +132,25 @@ def improve_level(
 
 def search_levels(
     order: int,
+    found: float,
     limits: 'float[:]',
     lead: 'float[:,:]',
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Search for a lead over a level; shorter ones than the best alone are kept."""
-    steep = 1.0
-    found = NEVER
-    lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
-    lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
-    for i in range(STEEPEST):
-        set_limits(steep, lead)
+    """Search for a lead over a level; shorter ones than the best alone are kept.
+
+    found: time of one over the noted level [s]; NEVER: none is known.
+    """
+    first = 0
+    if found >= NEVER:
+        lead[LeadWork.BEST, Lead.LEVEL] = lead[LeadWork.START, level_order(order, lead)]
+        lead[LeadWork.BEST, Lead.GAIN] = 1.0 - EQUAL
+    else:
+        first = 1
+        lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
+    for i in range(first, STEEPEST):
+        set_limits(STEEPER ** i, lead)
         before = lead[LeadWork.BEST, Lead.TIME]
         # where times jump, other levels may be best with steeper rises
         if found >= NEVER or (i == 1 and jumps_often(lead)):
@@ -156,7 +163,6 @@ def search_levels(
         if i > 0 and lead[LeadWork.BEST, Lead.TIME] == before:
             break
         lead[LeadWork.BEST, Lead.GAIN] = WORTH_STEEPER
-        steep = STEEPER * steep
 
 
 def permits_levels(order: int, lead: 'float[:,:]') -> bool:
