@@ -162,7 +162,7 @@ def _names(axis_names: Sequence[str] | None, axes: int) -> tuple[str, ...]:
     names = as_tuple("axis_names", axis_names)
     if len(names) != axes:
         raise InputError(f"axis_names has {len(names)} names for {axes} axes")
-    if not all([isinstance(name, str) for name in names]):
+    if not all(isinstance(name, str) for name in names):
         raise InputError(f"axis_names must be strings, got {shown(axis_names)}")
     return names
 

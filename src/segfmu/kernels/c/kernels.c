@@ -877,6 +877,7 @@ static bool try_steeper(int64_t order, double within_0001, int64_t times, array_
 static void search_ends(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double near_zero(double i);
 static bool jumps_often(array_double_2d lead);
+static double hopeful_time(array_double_2d lead);
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double search_grid(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void improve_level(int64_t order, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -23916,6 +23917,16 @@ static bool jumps_often(array_double_2d lead)
  result = (int64_t)((*cspan_at(&lead, 59, 0))) > 4;
  return result;
 }
+static double hopeful_time(array_double_2d lead)
+{
+ double result;
+ if ((*cspan_at(&lead, 23, 0)) < 0.0)
+ {
+  return 1e+300;
+ }
+ result = 1.2 * (*cspan_at(&lead, 23, 0));
+ return result;
+}
 static double follow_level(int64_t order, double level, double least, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  array_double_1d first;
@@ -23948,11 +23959,7 @@ static double search_grid(int64_t order, array_double_1d limits, array_double_2d
  double kept, least, level, time, found;
  stage = level_order(order, lead);
  kept = (*cspan_at(&lead, 23, 2));
- least = 1e+300;
- if ((*cspan_at(&lead, 23, 0)) >= 0.0)
- {
-  least = 1.2 * (*cspan_at(&lead, 23, 0));
- }
+ least = hopeful_time(lead);
  found = 1e+300;
  count = 0;
  if (jumps_often(lead))
@@ -24161,18 +24168,14 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
 static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  double level, best, found;
- if ((order == 1) || jumps_often(lead) || (!permits_levels(order, lead)))
+ if (jumps_often(lead) || (!permits_levels(order, lead)))
  {
   return 0;
  }
  level = (*cspan_at(&lead, 15, level_order(order, lead)));
  best = (*cspan_at(&lead, 23, 0));
- if (best < 0.0)
- {
-  best = 1e+300;
- }
- found = follow_level(order, level, best, limits, lead, timing, coefficients);
- if (found >= 1e+300)
+ found = follow_level(order, level, hopeful_time(lead), limits, lead, timing, coefficients);
+ if ((*cspan_at(&lead, 23, 0)) == best)
  {
   return 0;
  }
@@ -24204,7 +24207,7 @@ static bool search_stages(int64_t order, double within_0001, array_double_1d lim
 static void improve_lead(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
  int64_t i;
- if (leads_in(within_0001, lead) && (!jumps_often(lead)))
+ if (leads_in(1e+300, lead) && (!jumps_often(lead)))
  {
   return;
  }

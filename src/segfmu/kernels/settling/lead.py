@@ -15,11 +15,12 @@ from segfmu.kernels.settling.brake_limits import is_outside
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.level_search import (
     follow_level,
+    hopeful_time,
     jumps_often,
     permits_levels,
     search_levels,
 )
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadTask, LeadWork
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, try_steeper
 from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead
 from segfmu.kernels.trajectory.check import rounding_error
@@ -167,17 +168,14 @@ def goes_on_at_level(
 ) -> bool:
     """Whether a lead over the present level is the best one so far; then steeper ones are tried.
 
-    That is for limits up to the snap alone, where its time seldom jumps; and not on the way to a
-    velocity, where the end of a stage takes less time to try.
+    That is for limits up to the snap alone, where times seldom jump.
     """
-    if order == LeadStage.VELOCITY or jumps_often(lead) or not permits_levels(order, lead):
+    if jumps_often(lead) or not permits_levels(order, lead):
         return False
     level = lead[LeadWork.START, level_order(order, lead)]
     best = lead[LeadWork.BEST, Lead.TIME]
-    if best < 0.0:
-        best = NEVER
-    found = follow_level(order, level, best, limits, lead, timing, coefficients)
-    if found >= NEVER:
+    found = follow_level(order, level, hopeful_time(lead), limits, lead, timing, coefficients)
+    if lead[LeadWork.BEST, Lead.TIME] == best:
         return False
     search_levels(order, found, limits, lead, timing, coefficients)
     return True
@@ -193,7 +191,7 @@ def search_stages(
 ) -> bool:
     """Search for a lead by its stages; whether one goes on at its present level.
 
-    Then other ends and levels gain nothing.
+    Then other ends and levels gain nothing worth their time.
     """
     soonest_ends(order, lead)
     for i in range(Chain.SIZE):
@@ -215,8 +213,11 @@ def improve_lead(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
-    """Search over levels where there is no lead yet, or it takes longer than `within` [s]."""
-    if leads_in(within, lead) and not jumps_often(lead):
+    """Search over levels where there is no lead yet.
+
+    Where times jump (`jumps_often`), also for a shorter one, if it takes longer than `within` [s].
+    """
+    if leads_in(NEVER, lead) and not jumps_often(lead):
         return
     time_anew(order, lead)
     for i in range(Chain.SIZE):

@@ -17,7 +17,7 @@ USELESS = 4
 # levels of a grid on each side of zero, and each one over the next larger one
 FINEST = 12
 DENSER = 0.7
-# times of a grid over the best one from which smaller steps still lead to a better one
+# times over the best one from which a better one may still be found
 HOPEFUL = 1.2
 # steps around the best level: the first one, of it and of its limit, and each over the one before
 OF_LEVEL = 0.15
@@ -39,6 +39,13 @@ def near_zero(i: float) -> float:
 def jumps_often(lead: 'float[:,:]') -> bool:
     """Whether the time of leads jumps often between levels: with limits above the snap."""
     return int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]) > 4
+
+
+def hopeful_time(lead: 'float[:,:]') -> float:
+    """Time of a lead over a level [s] from which others may be better than the best one."""
+    if lead[LeadWork.BEST, Lead.TIME] < 0.0:
+        return NEVER
+    return HOPEFUL * lead[LeadWork.BEST, Lead.TIME]
 
 
 def follow_level(
@@ -83,9 +90,7 @@ def search_grid(
     """
     stage = level_order(order, lead)
     kept = lead[LeadWork.BEST, Lead.LEVEL]
-    least = NEVER
-    if lead[LeadWork.BEST, Lead.TIME] >= 0.0:
-        least = HOPEFUL * lead[LeadWork.BEST, Lead.TIME]
+    least = hopeful_time(lead)
     found = NEVER
     count = 0
     if jumps_often(lead):
