@@ -23833,7 +23833,7 @@ static void try_soonest(int64_t order, array_double_1d limits, array_double_2d l
   level = (*cspan_at(&first, 2)) + (*cspan_at(&first, 3));
   (*cspan_at(&lead, 21, stage)) = span_min(span_max(level, -bound), bound);
   time = try_lead(order, 400, limits, lead, timing, coefficients);
-  if ((before >= 0.0) && ((*cspan_at(&lead, 23, 0)) > 0.9999 * before))
+  if ((before >= 0.0) && (1.001 * (*cspan_at(&lead, 23, 0)) > before))
   {
    break;
   }

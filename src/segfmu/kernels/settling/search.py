@@ -18,8 +18,8 @@ from segfmu.kernels.settling.trial import (
     try_lead,
 )
 
-# a side where a lead takes at most this share of the best one's time: steps to it, and to the other
-# side, gain less
+# a lead that takes at most this share of another one's time is as good: steps to its side, and to the
+# other one, gain less, and so do levels of profiles behind it
 FLAT = 1.001
 # steps around the best end: the first one, as a share of its limit, halved where it gains nothing
 FIRST_STEP = 0.125
@@ -29,7 +29,7 @@ ENDS = 4
 DENSER = 0.25
 # levels of following profiles in turn, each of which has to take less than this share of the time
 FOLLOWED = 8
-WORTH_FOLLOWING = 0.9999
+WORTH_FOLLOWING = 0.999
 # derivatives that nothing limits are raised by this factor, so often, as long as the time of a lead
 # becomes less than this share
 STEEPER = 10.0
@@ -122,7 +122,7 @@ def try_soonest(
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
         lead[LeadWork.ENDS, stage] = min(max(level, -bound), bound)
         time = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
-        if before >= 0.0 and lead[LeadWork.BEST, Lead.TIME] > WORTH_FOLLOWING * before:
+        if before >= 0.0 and FLAT * lead[LeadWork.BEST, Lead.TIME] > before:
             break
 
 
