@@ -47,7 +47,7 @@ WAYS: dict[str, dict[str, str]] = {
     "much shorter starts": {"shorter_solution": "return 0;"},
     "slower passing profiles": {"slower_passing": "return -1.0;"},
     "least and largest distance": {"between_extremes": "return -1.0;"},
-    "leads over levels": {"search_levels": "return;"},
+    "leads over levels": {"search_levels": "return;", "goes_on_at_level": "return 0;"},
     "ends of stages of leads": {"improve_ends": "return;"},
     "leads along the old plan": {"follow_plan": "return;"},
     "free states moved one by one": {"polish_state": "return;"},
