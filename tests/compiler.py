@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +18,7 @@ from segfmu.fmu import pairs
 from segfmu.fmu.native import binaries, compilers
 from segfmu.fmu.native.compilers import available
 from segfmu.kernels import backend
+from tests import made
 
 CC = next(filter(None, map(shutil.which, ("cc", "gcc", "clang"))), "")
 STRICT = (
@@ -46,10 +47,24 @@ def require_cc() -> None:
 
 def kernels_object(folder: Path, *options: str) -> Path:
     """The kernels in C, compiled alone, for several programs to be linked with."""
-    target = folder / "kernels.o"
-    subprocess.run(
-        [CC, *STRICT, *options, "-c", TARGET / "kernels.c", "-o", target], check=True
-    )
+    return compiled(folder / "kernels.o", [*STRICT, *options, "-c", "kernels.c"], TARGET)
+
+
+def compiled(
+    target: Path, words: Sequence[str], folder: Path, compiler: str = CC
+) -> Path:
+    """What a C compiler makes of sources and objects in a folder, with words that name them."""
+
+    def told() -> dict[str, bytes]:
+        own = {"words": " ".join(words).encode(), "compiler": made.compiler(compiler)}
+        return own | made.contents(folder)
+
+    def make() -> bytes:
+        subprocess.run([compiler, *words, "-o", target.resolve()], cwd=folder, check=True)
+        return target.read_bytes()
+
+    target.write_bytes(made.made("Compiled", told, make))
+    target.chmod(0o755)
     return target
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from numpy._core import _multiarray_umath as numpy_core
 
 from segfmu.codegen.native import TARGET
+from tests import made
 
 # kernels of OpenBLAS, the processor's features that they need, as NumPy names them now and before,
 # and what OpenBLAS calls them; AMD's take those of Haswell
@@ -122,12 +123,20 @@ def build(folder: Path, compiler: str, *options: str) -> Variant:
     if FUSED[0] in options and not (X86 and has("FMA3")):
         return Variant(title, skipped="the processor has no FMA, or not that of Intel and AMD")
     target = folder / (title.replace(" ", "").replace("=", "") + ".so")
-    sources = [str(TARGET / name) for name in ("module.c", "kernels.c")]
-    subprocess.run(
-        [*command, *PLAIN, *LIMITED, *options, f"-I{sysconfig.get_path('include')}", *sources,
-         *UNDEFINED, "-lm", "-o", str(target)],
-        check=True,
-    )
+    words = [*PLAIN, *LIMITED, *options, f"-I{sysconfig.get_path('include')}", "module.c",
+             "kernels.c", *UNDEFINED, "-lm"]
+
+    def told() -> dict[str, bytes]:
+        own = {"words": " ".join(words).encode(), "python": made.interpreter()}
+        # that of zig is a package
+        own["compiler"] = b"zig" if compiler == "zig" else made.compiler(command[0])
+        return own | made.contents(TARGET)
+
+    def make() -> bytes:
+        subprocess.run([*command, *words, "-o", str(target.resolve())], cwd=TARGET, check=True)
+        return target.read_bytes()
+
+    target.write_bytes(made.made("Module", told, make))
     return Variant(title, kernels=target)
 
 

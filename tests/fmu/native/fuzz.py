@@ -8,6 +8,7 @@ that nobody has set. A failing sequence is repeated with its number as `--first`
 from __future__ import annotations
 
 import argparse
+import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,7 +24,7 @@ from segfmu.fmu.hook_feedforward import interface as hook_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.native.binaries import APART
 from segfmu.fmu.standard.spec import Spec, started
-from tests.compiler import SANITIZERS
+from tests.compiler import SANITIZERS, compiled
 
 DRIVERS = Path(__file__).parent / "c"
 OPTIONS = ("-std=c99", "-g", "-ffp-contract=off", "-w")
@@ -60,16 +61,13 @@ def program(
     place = folder / f"{spec.name}{fmi}"
     place.mkdir()
     written(spec, fmi, place)
-    objects: list[Path | str] = []
+    shutil.copytree(DRIVERS, place, dirs_exist_ok=True)
+    objects = []
     if kernels is not None:
-        objects = [f"-D{APART}", *(place / name for name in OTHERS), kernels]
-    target = place / "fuzz"
-    subprocess.run(
-        [compiler, *OPTIONS, *sanitizers, level, f"-I{place}", f"-I{DRIVERS}",
-         DRIVERS / f"fuzz{fmi}.c", *objects, "-lm", "-o", target],
-        check=True,
-    )
-    return target
+        shutil.copyfile(kernels, place / "kernels.o")
+        objects = [f"-D{APART}", *OTHERS, "kernels.o"]
+    words = [*OPTIONS, *sanitizers, level, f"fuzz{fmi}.c", *objects, "-lm"]
+    return compiled(place / "fuzz", words, place, compiler)
 
 
 def written(spec: Spec, fmi: int, place: Path) -> None:

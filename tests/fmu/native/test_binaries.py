@@ -20,7 +20,7 @@ from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive, binaries, compilers
 from segfmu.fmu.standard.spec import started
 from tests.campaign import soaked
-from tests.compiler import CC, needs_cc, needs_native
+from tests.compiler import CC, compiled, needs_cc, needs_native
 
 SPECS = (gantry_feedforward.native_spec(), gantry_crane.native_spec())
 SMALL = {"fmu.c": b'#include "part.h"\n#ifdef _WIN32\n__declspec(dllexport)\n#else\n'
@@ -289,13 +289,11 @@ def test_both_fmus_link_into_one_program(native_fmus, tmp_path: Path) -> None:
         folder = tmp_path / path.stem
         with zipfile.ZipFile(path) as fmu:
             fmu.extractall(folder)
-        objects.append(folder / "fmu.o")
-        subprocess.run(
-            [CC, "-std=c99", level, "-Wall", "-Wextra", "-Werror",
-             f"-DFMI2_FUNCTION_PREFIX={path.stem}_", "-c", folder / "sources" / "fmu.c", "-o",
-             objects[-1]],
-            check=True,
-        )
+        objects.append(compiled(
+            folder / "fmu.o", ["-std=c99", level, "-Wall", "-Wextra", "-Werror",
+                               f"-DFMI2_FUNCTION_PREFIX={path.stem}_", "-c", "fmu.c"],
+            folder / "sources",
+        ))
         root = (folder / "modelDescription.xml").read_text(encoding="utf-8")
         words += [re.search(r'guid="([^"]+)"', root)[1], str(folder / "resources")]
         assert spec.name == path.stem
