@@ -1022,9 +1022,8 @@ static void write_node_shares(array_double_1d path, array_double_1d track, doubl
 static double largest_node_share(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double room_of(double share);
 static double state_offset(array_double_2d spot, int64_t row, int64_t field, array_double_1d track);
-static int64_t gathered(double* result_0_0001, double* result_1_0001, double total, double room);
-static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static double path_total(int64_t column, array_double_2d spans);
+static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square);
 static bool band_solve(array_double_2d band);
 static int64_t end_row(int64_t i, int64_t place, int64_t axes);
 static bool write_durations(double theta, array_double_1d path, array_double_3d links, array_double_2d spans);
@@ -1063,6 +1062,7 @@ static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
 static int64_t outer_column(int64_t place);
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square);
 static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
+static double gap_of(int64_t point);
 static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans);
 static void take_tried(array_double_3d spots, array_double_3d links, array_double_2d spans);
 static double write_step_of(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band);
@@ -1079,7 +1079,6 @@ static void write_box_scale(double first, array_double_2d link);
 static void write_scales_of(bool smoothstep, array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans);
 static double highest_state(int64_t field, double limit);
 static void write_tried(array_double_3d given, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d tried);
-static double gap_of(int64_t place);
 static bool may_beat(double known, int64_t place, double total);
 static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice);
 static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
@@ -1094,6 +1093,7 @@ static void polish_state(int64_t spot, int64_t field, array_double_3d states, ar
 static bool runs_backwards(array_double_2d spans);
 static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
+static bool is_real(double value);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
 static double change_time(double size, int64_t derivative, array_double_1d limits);
 static int64_t axis_scale(double* result_0, double* result_1_0001, int64_t axis, array_double_3d states, array_double_1d limits);
@@ -15202,7 +15202,7 @@ static double usual_share(array_double_1d axis)
  raised = (int64_t)((*cspan_at(&axis, 11)));
  if (((*cspan_at(&axis, 0)) + raised == 4.0) && (raised < 2) && ((*cspan_at(&axis, 4 + 1 - raised)) > 0.0))
  {
-  return 0.05;
+  return 0.5 * 0.1;
  }
  return 0.1;
 }
@@ -15212,11 +15212,11 @@ static double steeper_above(void)
 }
 static double moderate_share(void)
 {
- return 0.02;
+ return 0.2 * 0.1;
 }
 static double steepest_share(void)
 {
- return 0.004;
+ return 0.2 * moderate_share();
 }
 static bool ramps_suffice(array_double_1d axis)
 {
@@ -15426,11 +15426,15 @@ static void chain_limits(double steep, array_double_1d axis, array_double_1d sta
    {
     bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
    }
-   room = (*cspan_at(&limits, order - 2)) - fabs((*cspan_at(&state, order - 2)));
+   room = span_max((*cspan_at(&limits, order - 2)) - fabs((*cspan_at(&state, order - 2))), 0.0);
    needed = (*cspan_at(&state, order - 1)) * (*cspan_at(&state, order - 1));
-   if (needed > room * bound)
+   if (needed > room * 10000.0 * bound)
    {
-    bound = span_max(bound, span_min(needed / span_max(room, 1e-300), 10000.0 * bound));
+    bound = 10000.0 * bound;
+   }
+   else if (needed > room * bound)
+   {
+    bound = needed / room;
    }
    (*cspan_at(&limits, order)) = bound;
   }
@@ -16482,7 +16486,7 @@ static int64_t vanishing_cruise(double short_0001, double far, double start, arr
   newest = middle;
   e_newest = error;
   falls_short = missing;
-  if ((count >= 0) && (fabs(error) <= 1e-15 * fabs(distance)))
+  if ((count >= 0) && (fabs(error) <= 2e-15 * fabs(distance)))
   {
    other = newest;
    break;
@@ -17103,7 +17107,7 @@ static double member_search(array_double_1d family, array_double_1d axis)
   }
  }
  p = 0.0;
- for (i = begin; i < 36; i += 1)
+ for (i = begin; i < 3 * 12; i += 1)
  {
   p = (*cspan_at(&family, 19)) * i * i / (12 * 12);
   canonical_value(&value, &duration, p, family, axis);
@@ -17382,7 +17386,7 @@ static double highest_within(double inside, double outside, double e_inside, dou
  constant = 0;
  probing = 0;
  steps = 0;
- while(steps < 60)
+ while(steps < 100)
  {
   steps = steps + 1;
   probing = 0;
@@ -18160,7 +18164,7 @@ static void piece_excess(double length, int64_t node, bool holding, array_double
  q = (int64_t)((*cspan_at(&work, 101, 1))) + 2;
  top = (int64_t)((*cspan_at(&axis, 0))) + 1;
  rest = length;
- for (i = 0; i < 16; i += 1)
+ for (i = 0; i < 100; i += 1)
  {
   step = rest;
   advance_piece(top, step, state, end);
@@ -18787,7 +18791,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes)
  count = (int64_t)((*cspan_at(&passing, 0)));
  conditions = first_row(count, passing, nodes) + (int64_t)((*cspan_at(&passing, 1))) + 2;
  conditions = conditions + (int64_t)((*cspan_at(&passing, 14)));
- return (conditions == count) && (count <= 16);
+ return (conditions == count) && (count + 2 <= 120 - 102);
 }
 static void begin_dip(int64_t above, double v, double a, array_double_2d work)
 {
@@ -21795,12 +21799,13 @@ static void set_touching(int64_t variant, double duration, array_double_1d probl
 }
 static int64_t touching_guess(int64_t* result_0_0001, double* result_1, int64_t attempt)
 {
- int64_t time;
+ int64_t both, time;
  double share;
- if (attempt >= 30)
+ both = attempt - 5 * 6;
+ if (both >= 0)
  {
-  (*result_0_0001) = 6 + span_floor_mod(attempt, 2);
-  (*result_1) = 0.5 + 0.15 * (span_floor_div((attempt - 30), 2));
+  (*result_0_0001) = 6 + span_floor_mod(both, 2);
+  (*result_1) = 0.5 + 0.15 * (span_floor_div(both, 2));
   return 0;
  }
  time = span_floor_div(attempt, 6);
@@ -21838,7 +21843,7 @@ static int64_t touching_starts(int64_t* result_0, double* result_1_0001, int64_t
  last = may_touch((*cspan_at(&problem, 2)), -(*cspan_at(&problem, 3)), axis);
  used = 0;
  before = 0.0;
- attempts = 34;
+ attempts = 5 * 6 + 4;
  ways = usual_ways(axis, work);
  if (ramps_suffice(axis))
  {
@@ -25478,7 +25483,7 @@ static double timed_braked(array_double_1d axis, array_double_2d cell, array_dou
   }
   if (taken < 0)
   {
-   return -2.0;
+   return (double)(-2);
   }
   if ((*cspan_at(&rest, 5)) <= 0.0)
   {
@@ -25574,7 +25579,7 @@ static double timed_forwards(array_double_1d axis, array_double_2d cell, array_d
   return weight;
  }
  weight = timed_braked(axis, cell, work);
- if (weight == -2.0)
+ if (weight == -2)
  {
   return -1.0;
  }
@@ -25780,7 +25785,7 @@ static double round_up(double duration, double sample_time)
   return duration;
  }
  samples = duration / sample_time - 1e-09;
- if (!(samples < 1000000000000000.0))
+ if (!(samples * 2e-16 < 1.0))
  {
   return duration;
  }
@@ -25800,7 +25805,7 @@ static double common_duration(double start, double most, double sample_time, int
  duration = round_up(duration, sample_time);
  place = first;
  agreed = 0;
- for (i = 0; i < 100000; i += 1)
+ for (i = 0; i < 100 * (last - first); i += 1)
  {
   if (agreed == last - first)
   {
@@ -27548,63 +27553,6 @@ static double state_offset(array_double_2d spot, int64_t row, int64_t field, arr
  result = (*cspan_at(&spot, row, field)) - middle;
  return result;
 }
-static int64_t gathered(double* result_0_0001, double* result_1_0001, double total, double room)
-{
- if (room > 1e-200)
- {
-  (*result_0_0001) = total;
-  (*result_1_0001) = room;
-  return 0;
- }
- if (room > 0.0)
- {
-  (*result_0_0001) = total - log(room);
-  (*result_1_0001) = 1.0;
-  return 0;
- }
- (*result_0_0001) = 1e+300;
- (*result_1_0001) = 1.0;
- return 0;
-}
-static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
-{
- int64_t axes, i, axis, field, row;
- double total, room, share, time;
- axes = (int64_t)((*cspan_at(&path, 3)));
- total = 0.0;
- room = 1.0;
- for (i = 0; i < spans.shape[0]; i += 1)
- {
-  total = total + theta * exp((*cspan_at(&spans, i, 2)));
- }
- for (i = 0; i < spots.shape[0]; i += 1)
- {
-  axis = span_floor_mod(i, axes);
-  for (field = 0; field < 2; field += 1)
-  {
-   if ((*cspan_at(&spots, i, 2, field)) != 0.0)
-   {
-    share = state_offset(span_matrix(&spots, i), 5, field, span_row(&tracks, axis));
-    gathered(&total, &room, total, room * room_of(share));
-   }
-  }
- }
- for (i = 0; i < links.shape[0]; i += 1)
- {
-  axis = span_floor_mod(i, axes);
-  time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
-  write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
-  for (row = 0; row < (int64_t)((*cspan_at(&path, 2))); row += 1)
-  {
-   gathered(&total, &room, total, room * room_of((*cspan_at(&grid, row, 15))));
-  }
-  if (!(total < 1e+300))
-  {
-   return 1e+300;
-  }
- }
- return total - log(room);
-}
 static double path_total(int64_t column, array_double_2d spans)
 {
  int64_t i;
@@ -27613,6 +27561,48 @@ static double path_total(int64_t column, array_double_2d spans)
  for (i = 0; i < spans.shape[0]; i += 1)
  {
   total = total + exp((*cspan_at(&spans, i, column)));
+ }
+ return total;
+}
+static double barrier_value(double theta, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square)
+{
+ int64_t axes, i, axis, field, row;
+ double room, share, time, total;
+ axes = (int64_t)((*cspan_at(&path, 3)));
+ total = theta * path_total(2, spans);
+ for (i = 0; i < spots.shape[0]; i += 1)
+ {
+  axis = span_floor_mod(i, axes);
+  room = 1.0;
+  for (field = 0; field < 2; field += 1)
+  {
+   if ((*cspan_at(&spots, i, 2, field)) != 0.0)
+   {
+    share = state_offset(span_matrix(&spots, i), 5, field, span_row(&tracks, axis));
+    room = room * room_of(share);
+   }
+  }
+  if (room <= 0.0)
+  {
+   return 1e+300;
+  }
+  total = total - log(room);
+ }
+ for (i = 0; i < links.shape[0]; i += 1)
+ {
+  axis = span_floor_mod(i, axes);
+  time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
+  write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
+  room = 1.0;
+  for (row = 0; row < (int64_t)((*cspan_at(&path, 2))); row += 1)
+  {
+   room = room * room_of((*cspan_at(&grid, row, 15)));
+  }
+  if (room <= 0.0)
+  {
+   return 1e+300;
+  }
+  total = total - log(room);
  }
  return total;
 }
@@ -28056,7 +28046,7 @@ static void write_boxes(double room, int64_t first, array_double_3d given, array
   after = (*cspan_at(&given, last, axis, 0));
   low = span_min(span_min(here, there), span_min(before, after));
   high = span_max(span_max(here, there), span_max(before, after));
-  beyond = 1e+307;
+  beyond = 1e+300;
   if (room < 1e+300)
   {
    beyond = room * (high - low);
@@ -28173,7 +28163,7 @@ static void widen_boxes(array_double_3d states, array_double_1d path, array_doub
    here = (*cspan_at(&states, span_floor_div(i, count), axis, 0));
    for (side = 0; side < 2; side += 1)
    {
-    beyond = 1e+307;
+    beyond = 1e+300;
     if (planned && (high - low < 1e+300))
     {
      beyond = farthest_beyond(side, low, high, here, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
@@ -28545,6 +28535,10 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
  (*cspan_at(&square, row, 14)) = diagonal + (*cspan_at(&square, 19, 14));
  eliminate((int64_t)((*cspan_at(&path, 1))), link, square);
 }
+static double gap_of(int64_t point)
+{
+ return 0.03 * pow(3.1622776601683795, (double)((7 - point)));
+}
 static void try_move(double share, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans)
 {
  int64_t i, field, j;
@@ -28613,7 +28607,7 @@ static double write_step_of(double theta, array_double_1d path, array_double_2d 
  double ridge, time, result;
  axes = (int64_t)((*cspan_at(&path, 3)));
  ridge = 0.0;
- for (attempt = 0; attempt < 7; attempt += 1)
+ for (attempt = 0; attempt < 100; attempt += 1)
  {
   for (i = 0; i < links.shape[0]; i += 1)
   {
@@ -28630,7 +28624,7 @@ static double write_step_of(double theta, array_double_1d path, array_double_2d 
     return result;
    }
   }
-  ridge = span_max(10.0 * ridge, 0.1);
+  ridge = span_max(ridge / 0.1, 0.1);
  }
  return -1e+300;
 }
@@ -28647,18 +28641,18 @@ static bool centre_path(double theta, double accuracy, array_double_1d path, arr
   {
    return 0;
   }
-  longest = 1e-09;
+  longest = 0.6;
   for (j = 0; j < spans.shape[0]; j += 1)
   {
    longest = span_max(longest, fabs((*cspan_at(&spans, j, 1))));
   }
-  share = span_min(1.0, 0.6 / longest);
+  share = 0.6 / longest;
   try_move(share, path, spots, links, spans);
   tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square);
-  while(!(tried <= value - 0.1 * share * decrease))
+  while(!(tried <= value))
   {
    share = 0.5 * share;
-   if (share < 1e-06)
+   if (share < 1e-07)
    {
     return 0;
    }
@@ -28693,11 +28687,11 @@ static void write_times(array_double_1d path, array_double_2d tracks, array_doub
   }
  }
  first = log(1.0 / 1000.0 * least);
- growth = (log(1000.0 * (least + reach)) - first) / (120 - 1);
+ growth = (log(1000.0 * (least + reach)) - first) / 24;
  for (j = 0; j < spans.shape[0]; j += 1)
  {
   fits = 1e+300;
-  for (k = 0; k < 120; k += 1)
+  for (k = 0; k < 24 + 1; k += 1)
   {
    used = 0.0;
    for (axis = 0; axis < axes; axis += 1)
@@ -28728,7 +28722,7 @@ static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3
 {
  int64_t attempt;
  double theta, used;
- for (attempt = 0; attempt < 60; attempt += 1)
+ for (attempt = 0; attempt < 100; attempt += 1)
  {
   theta = (*cspan_at(&path, 7)) / ((*cspan_at(&path, 9)) * path_total(0, spans));
   if (!centre_path(theta, 0.5, path, tracks, spots, links, spans, grid, square, band))
@@ -28762,7 +28756,7 @@ static bool begin_path(array_double_1d path, array_double_2d tracks, array_doubl
  {
   return 1;
  }
- (*cspan_at(&path, 8)) = 1.5 * used;
+ (*cspan_at(&path, 8)) = 2.0 * used;
  result = retreat(path, tracks, spots, links, spans, grid, square, band);
  return result;
 }
@@ -28772,7 +28766,7 @@ static double slow_path(double gap, array_double_1d path, array_double_2d tracks
  int64_t attempt, i, field, j;
  (*cspan_at(&path, 8)) = 1.0;
  before = 1e+300;
- for (attempt = 0; attempt < 60; attempt += 1)
+ for (attempt = 0; attempt < 100; attempt += 1)
  {
   try_move(0.0, path, spots, links, spans);
   value = barrier_value(0.0, path, tracks, spots, links, spans, grid, square);
@@ -28782,7 +28776,7 @@ static double slow_path(double gap, array_double_1d path, array_double_2d tracks
    theta = (before - value) / (total * (1.0 - 1.0 / 1.02));
    if (theta * gap * total <= (*cspan_at(&path, 7)))
    {
-    return 4.0 * theta;
+    return 3.1622776601683795 * theta;
    }
   }
   before = value;
@@ -28824,7 +28818,7 @@ static double follow_path(double theta, double gap, array_double_1d path, array_
    return -1.0;
   }
   reached = (*cspan_at(&path, 7)) / (theta * path_total(0, spans));
-  theta = theta * span_min(4.0, span_max(1.0, reached / gap));
+  theta = theta * span_min(3.1622776601683795, span_max(1.0, reached / gap));
  }
  return theta;
 }
@@ -28835,11 +28829,11 @@ static double limit_of(int64_t place, int64_t axis, array_double_2d limits)
  {
   if ((*cspan_at(&limits, axis, place)) > 0.0)
   {
-   result = span_min((*cspan_at(&limits, axis, place)), 1e+100);
+   result = span_min((*cspan_at(&limits, axis, place)), 1e+300);
    return result;
   }
  }
- return 1e+100;
+ return 1e+300;
 }
 static void write_tracks(array_double_2d limits, array_double_2d lower, array_double_1d path, array_double_2d tracks)
 {
@@ -28858,20 +28852,20 @@ static void write_tracks(array_double_2d limits, array_double_2d lower, array_do
   jerk = limit_of(2, axis, limits);
   snap = limit_of(3, axis, limits);
   crackle = limit_of(4, axis, limits);
-  if (crackle < 1e+100)
+  if (crackle < 1e+300)
   {
    snap = span_min(snap, pow((crackle * crackle * acceleration), (1.0 / 3.0)));
   }
   pop = limit_of(5, axis, limits);
-  if (pop < 1e+100)
+  if (pop < 1e+300)
   {
    snap = span_min(snap, sqrt(pop * acceleration));
   }
-  if (snap < 1e+100)
+  if (snap < 1e+300)
   {
    (*cspan_at(&path, 0)) = 4.0;
   }
-  if (jerk < 1e+100)
+  if (jerk < 1e+300)
   {
    snap = span_min(snap, 10.0 * jerk * jerk / acceleration);
   }
@@ -28953,7 +28947,7 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
    share = limit_share(order, (*cspan_at(&spans, span_floor_div(i, count), 5)), smoothstep);
    (*cspan_at(&links, i, 2, order)) = 0.0;
    (*cspan_at(&links, i, 1, order)) = 0.0;
-   if (limit < 1e+100)
+   if (limit < 1e+300)
    {
     (*cspan_at(&links, i, 2, order)) = 1.0 / (limit * share);
    }
@@ -29004,18 +28998,6 @@ static void write_tried(array_double_3d given, array_double_1d path, array_doubl
   }
  }
 }
-static double gap_of(int64_t place)
-{
- if (place == 0)
- {
-  return 0.3;
- }
- if (place == 1)
- {
-  return 0.1;
- }
- return 0.03;
-}
 static bool may_beat(double known, int64_t place, double total)
 {
  return total <= (1.0 + 1.05 * gap_of(place)) * known;
@@ -29047,16 +29029,16 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
  best = span_layers(&choice, begin, end);
  smoothstep = (int64_t)((*cspan_at(&work, 0, 1))) == 0;
  write_scales_of(smoothstep, given, path, axes, spots, links, spans);
- offered = 2;
+ offered = 7;
  if (is_moving(given))
  {
-  offered = 0;
+  offered = 5;
  }
- first = 0;
+ first = 5;
  if ((*cspan_at(&path, 10)) != 0.0)
  {
-  first = 2;
-  theta = slow_path(gap_of(1), path, axes, spots, links, spans, grid, square);
+  first = 7;
+  theta = slow_path(gap_of(6), path, axes, spots, links, spans, grid, square);
   if (theta < 0.0)
   {
    return 0;
@@ -29071,7 +29053,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
   return 0;
  }
  fewest = spans.shape[0] + 1;
- for (place = first; place < 2 + 1; place += 1)
+ for (place = first; place < 7 + 1; place += 1)
  {
   theta = follow_path(theta, gap_of(place), path, axes, spots, links, spans, grid, square, band);
   if (theta < 0.0)
@@ -29080,7 +29062,7 @@ static bool try_path(array_double_3d choice, array_double_2d tools, array_double
   }
   (*cspan_at(&path, 11)) = path_total(0, spans);
   hopeful = may_beat(span_min((*cspan_at(&path, 13)), (*cspan_at(&path, 14))), place, (*cspan_at(&path, 11)));
-  last = (place == 2) && may_beat((*cspan_at(&path, 14)), place, (*cspan_at(&path, 11)));
+  last = (place == 7) && may_beat((*cspan_at(&path, 14)), place, (*cspan_at(&path, 11)));
   if (!(hopeful || last))
   {
    return 0;
@@ -29180,7 +29162,7 @@ static void search_states(array_double_3d choice, array_double_2d tools, array_d
   {
    return;
   }
-  if (!tighten_path((sweep >= 6) && ((*cspan_at(&path, 13)) >= known), spans))
+  if (!tighten_path((sweep > span_floor_div(10, 2)) && ((*cspan_at(&path, 13)) >= known), spans))
   {
    return;
   }
@@ -29290,13 +29272,13 @@ static void polish_state(int64_t spot, int64_t field, array_double_3d states, ar
  least = (*cspan_at(&spans, point - 1, 10)) + (*cspan_at(&spans, point, 10));
  move = (*cspan_at(&path, 16)) * 0.5 * (high - low);
  before = 1e+300;
- for (trial = 0; trial < 1000; trial += 1)
+ for (trial = 0; trial < 100; trial += 1)
  {
   here = (*cspan_at(&states, point, axis, 1 + field));
   value = span_min(span_max(here + move, low), high);
   keep_cells(point, axis, 0, axes, cells, links);
   set_state(value, point, axis, field, states, axes, cells);
-  (*cspan_at(&path, 14)) = least * (1.0 - 1e-06);
+  (*cspan_at(&path, 14)) = least / 1.000001;
   found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
   if ((trial > 1) && (found < 1e+300))
   {
@@ -29342,7 +29324,7 @@ static bool runs_backwards(array_double_2d spans)
  for (j = 0; j < count; j += 1)
  {
   ahead = (*cspan_at(&spans, j, 10)) - (*cspan_at(&spans, count - 1 - j, 10));
-  if (fabs(ahead) > 1e-06 * longest)
+  if (fabs(ahead) > (1.000001 - 1.0) * longest)
   {
    return ahead < 0.0;
   }
@@ -29417,6 +29399,10 @@ static int64_t check_limits(array_double_2d limits, array_double_1d report)
  }
  return 0;
 }
+static bool is_real(double value)
+{
+ return value - value == 0.0;
+}
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report)
 {
  int64_t j, axis, i;
@@ -29430,7 +29416,7 @@ static int64_t check_numbers(array_double_3d states, array_double_2d limits, arr
    for (i = 0; i < 3; i += 1)
    {
     value = (*cspan_at(&states, j, axis, i));
-    if (fabs(value) <= 1.7976931348623157e+308)
+    if (is_real(value))
     {
      continue;
     }
@@ -29550,9 +29536,7 @@ static double settle_value(double value, int64_t order, int64_t axis, array_doub
 }
 static bool differ(double before, double value)
 {
- double size;
- size = fabs(value);
- return !((size <= 1.7976931348623157e+308) && (fabs(value - before) <= 2e-15 * span_max(size, 1.0)));
+ return !(is_real(value) && (fabs(value - before) <= 2e-15 * span_max(fabs(value), 1.0)));
 }
 static bool is_same(array_double_2d before, array_double_2d state)
 {
@@ -29625,11 +29609,7 @@ int64_t segfmu_settle_dwells(double sample_time, array_double_1d dwells)
  {
   for (j = 0; j < dwells.shape[0]; j += 1)
   {
-   rounded = (*cspan_at(&dwells, j));
-   if (rounded < 1000000000000000.0 * sample_time)
-   {
-    rounded = round_up(rounded, sample_time);
-   }
+   rounded = round_up((*cspan_at(&dwells, j)), sample_time);
    if (fabs(rounded - (*cspan_at(&dwells, j))) > 0.0)
    {
     (*cspan_at(&dwells, j)) = rounded;
@@ -29821,7 +29801,7 @@ static void searched_states(array_double_3d choice, array_double_2d tools, array
  copy_states(given, span_layers(&choice, begin, end));
  (*cspan_at(&path, 12)) = 1e+300;
  (*cspan_at(&path, 13)) = plan_lengths(given, spans, axes, cells, work);
- (*cspan_at(&path, 9)) = 3.0;
+ (*cspan_at(&path, 9)) = gap_of(3);
  attempts = 1;
  if (is_moving(given))
  {
@@ -29830,7 +29810,7 @@ static void searched_states(array_double_3d choice, array_double_2d tools, array
  for (attempt = 0; attempt < attempts; attempt += 1)
  {
   search_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
-  (*cspan_at(&path, 9)) = 100.0;
+  (*cspan_at(&path, 9)) = gap_of(0);
  }
 }
 static bool choose_fields(bool all_fields, array_double_3d spots)
@@ -29874,7 +29854,7 @@ static double fastest_states(array_double_3d choice, array_double_2d tools, arra
  (*cspan_at(&path, 15)) = 2;
  searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
  least = 1e+300;
- if (may_beat(total, 2, (*cspan_at(&path, 12))))
+ if (may_beat(total, 7, (*cspan_at(&path, 12))))
  {
   least = polish_states(alone, path, spots, links, spans, axes, cells, timing, coefficients, work);
  }

@@ -1694,6 +1694,14 @@ enum {
 };
 
 enum {
+    POINT_FAR = 0,
+    POINT_NEAR = 3,
+    POINT_FIRST = 5,
+    POINT_SECOND = 6,
+    POINT_LAST = 7
+};
+
+enum {
     TRACK_SMOOTHNESS = 0,
     TRACK_SHAPE = 1,
     TRACK_VELOCITY = 2,
@@ -1871,6 +1879,11 @@ enum {
     EFFORT_USUAL = 0,
     EFFORT_QUICK = 1,
     EFFORT_THOROUGH = 2
+};
+
+enum {
+    WEIGHT_MISSING = -1,
+    WEIGHT_UNBRAKED = -2
 };
 
 enum {

@@ -28,7 +28,8 @@ HALVINGS = 100
 # rounding there
 SECTIONS = 30
 # about the root of what rounding leaves, as a share: the square of such an error is rounding, as
-# that of an extreme value, or after another step of Newton's method
+# that of an extreme value or after another step of Newton's method, and where slopes come from such
+# a change their errors by rounding and by the bend are alike
 HALF_DIGITS = 1e-7
 # places of an interval that are looked at for all roots of what bends a few times
 SAMPLES = 24

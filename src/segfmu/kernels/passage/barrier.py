@@ -20,9 +20,6 @@ from segfmu.kernels.passage.records import (
     Track,
 )
 
-# a product of what shares leave has its logarithm taken below this
-LEAST_ROOM = 1e-200
-
 
 def write_variables(
     step: bool, path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]'
@@ -118,40 +115,35 @@ def state_offset(spot: 'float[:,:]', row: int, field: int, track: 'float[:]') ->
     return spot[row, field] - middle
 
 
-def gathered(total: float, room: float) -> 'tuple[float, float]':
-    """A barrier and the product that its logarithm is still to take: one does for many factors."""
-    if room > LEAST_ROOM:
-        return total, room
-    if room > 0.0:
-        return total - log(room), 1.0
-    return NEVER, 1.0
-
-
 def barrier_value(
     theta: float, path: 'float[:]', tracks: 'float[:,:]', spots: 'float[:,:,:]',
     links: 'float[:,:,:]', spans: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]',
 ) -> float:
     """The barrier of the tried point plus theta times its duration; NEVER outside the limits."""
     axes = int(path[Path.AXES])
-    total = 0.0
-    room = 1.0
-    for i in range(spans.shape[0]):
-        total = total + theta * exp(spans[i, Stretch.TRIAL])
+    total = theta * path_total(Stretch.TRIAL, spans)
+    # one logarithm does for many factors
     for i in range(spots.shape[0]):
         axis = i % axes
+        room = 1.0
         for field in range(Free.SIZE):
             if spots[i, Spot.CHOSEN, field] != 0.0:
                 share = state_offset(spots[i, :, :], Spot.TRIAL, field, tracks[axis, :])
-                total, room = gathered(total, room * room_of(share))
+                room = room * room_of(share)
+        if room <= 0.0:
+            return NEVER
+        total = total - log(room)
     for i in range(links.shape[0]):
         axis = i % axes
         time = spans[i // axes, Stretch.TRIAL]
         write_node_shares(path, tracks[axis, :], time, links[i, :, :], grid, square)
+        room = 1.0
         for row in range(int(path[Path.ROWS])):
-            total, room = gathered(total, room * room_of(grid[row, GridRow.SHARE]))
-        if not total < NEVER:
+            room = room * room_of(grid[row, GridRow.SHARE])
+        if room <= 0.0:
             return NEVER
-    return total - log(room)
+        total = total - log(room)
+    return total
 
 
 def path_total(column: int, spans: 'float[:,:]') -> float:

@@ -3,17 +3,10 @@
 links and spots are those of a passage, whose first waypoint is `first` of all `given` ones.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import NEARLY, NEVER
 from segfmu.kernels.passage.judge import farthest_beyond, plan_lengths
 from segfmu.kernels.passage.records import Free, Link, Path, Spot, Track
 from segfmu.kernels.planner.records import WaypointState
-
-# room where no range is asked for [m]: larger than NEVER beside any position, and no overflow
-EVERYWHERE = 1e307
-# plans may leave their box by this share of the range of all boxes; they are narrower by twice that
-MARGIN = 1e-9
-# half the range of an axis that may not move, as a share of the longest way of any
-FIXED = 1e-9
 
 
 def write_boxes(
@@ -37,16 +30,17 @@ def write_boxes(
         after = given[last, axis, WaypointState.POSITION]
         low = min(min(here, there), min(before, after))
         high = max(max(here, there), max(before, after))
-        beyond = EVERYWHERE
+        beyond = NEVER
         if room < NEVER:
             beyond = room * (high - low)
-        inwards = 2.0 * MARGIN * extent(axis, given)
+        # boxes are narrower by twice the margin
+        inwards = 2.0 * NEARLY * extent(axis, given)
         low = max(low - beyond, axes[axis, Track.ALLOWED] + inwards)
         high = min(high + beyond, axes[axis, Track.ALLOWED + 1] - inwards)
         links[i, Link.BOX, 0] = min(low, min(here, there))
         links[i, Link.BOX, 1] = max(high, max(here, there))
     for i in range(links.shape[0]):
-        links[i, Link.BOX, 2] = FIXED * farthest
+        links[i, Link.BOX, 2] = NEARLY * farthest
 
 
 def extent(axis: int, given: 'float[:,:,:]') -> float:
@@ -119,7 +113,7 @@ def widen_boxes(
             high = links[i, Link.BOX, 1]
             here = states[i // count, axis, WaypointState.POSITION]
             for side in range(2):
-                beyond = EVERYWHERE
+                beyond = NEVER
                 if planned and high - low < NEVER:
                     beyond = farthest_beyond(
                         side, low, high, here, cells[i, :, :], axes[axis, :], timing,
@@ -143,4 +137,4 @@ def write_margin(path: 'float[:]', links: 'float[:,:,:]') -> None:
                 most = max(most, value)
     path[Path.MARGIN] = 0.0
     if most > least:
-        path[Path.MARGIN] = MARGIN * (most - least)
+        path[Path.MARGIN] = NEARLY * (most - least)

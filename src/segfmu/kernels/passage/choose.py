@@ -15,22 +15,12 @@ from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.boxes import admit_states, is_moving, widen_boxes, write_boxes
 from segfmu.kernels.passage.grid import write_grid
 from segfmu.kernels.passage.judge import copy_states, plan_lengths, set_axes
+from segfmu.kernels.passage.path import gap_of
 from segfmu.kernels.passage.polish import polish_states
-from segfmu.kernels.passage.records import Block, Free, Path, Spot, Tools, Track
-from segfmu.kernels.passage.search import (
-    LAST_POINT,
-    block_rows,
-    may_beat,
-    search_states,
-    write_tracks,
-)
+from segfmu.kernels.passage.records import Block, Free, Path, Point, Spot, Tools, Track
+from segfmu.kernels.passage.search import block_rows, may_beat, search_states, write_tracks
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
-
-# by how much the duration at which a path begins exceeds the shortest one; and in a second attempt
-# where given states move
-NEAR_START = 3.0
-FAR_START = 100.0
 
 
 def usual_room() -> float:
@@ -242,7 +232,7 @@ def fastest_states(
         choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
     )
     least = NEVER
-    if may_beat(total, LAST_POINT, path[Path.LOOSEST]):
+    if may_beat(total, Point.LAST, path[Path.LOOSEST]):
         least = polish_states(
             alone, path, spots, links, spans, axes, cells, timing, coefficients, work
         )
@@ -284,7 +274,7 @@ def searched_states(
     path[Path.LOOSEST] = NEVER
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
-    path[Path.START] = NEAR_START
+    path[Path.START] = gap_of(Point.NEAR)
     attempts = 1
     if is_moving(given):
         attempts = 2
@@ -292,7 +282,7 @@ def searched_states(
         search_states(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work
         )
-        path[Path.START] = FAR_START
+        path[Path.START] = gap_of(Point.FAR)
 
 
 def end_choice(

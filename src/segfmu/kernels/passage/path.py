@@ -9,7 +9,12 @@ as in barrier.py, band as in band.py.
 
 from math import log
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import (
+    HALF_DIGITS,
+    HALVINGS,
+    NEVER,
+    SAMPLES,
+)
 from segfmu.kernels.passage.band import band_solve, write_band, write_durations, write_steps
 from segfmu.kernels.passage.barrier import (
     barrier_value,
@@ -25,42 +30,42 @@ from segfmu.kernels.passage.records import (
     GridRow,
     Link,
     Path,
+    Point,
     Spot,
     Stretch,
     Track,
 )
 
+# by how much the duration of the last point exceeds the shortest one, at most, and how many times
+# as much that of each point before it may: the root of ten
+LAST_GAP = 0.03
+FASTER = 3.1622776601683795
 # a path is slowed down by this factor at a time
 SLOWING = 1.02
-SLOWER = 60
 # a gap is reached within this factor
 ENOUGH = 1.05
-# shares that are added to a diagonal where the barrier is not convex: the first one, and the growth
+# share of a diagonal that is added to it where the barrier is not convex
 RIDGE = 0.1
-HIGHER = 10.0
-RIDGES = 7
-# steps to the centre; they end where one promises less than this, of a unit for each limit, or
-# than that on the way to a smaller gap
-CENTRINGS = 30
+# what steps to the centre promise where they end, of a unit for each limit, and on the way to a
+# smaller gap
 CENTRED = 0.5
 ON_THE_WAY = 20.0
-# of a step: the change of a logarithmic duration, the least share, and what it has to take off of
-# what it promises; and the change below which a duration stays
+# steps behind which what is reached has to do
+CENTRINGS = 30
+# one over a duration changes by this share at once, at most
 LARGEST_STEP = 0.6
-LEAST_STEP = 1e-6
-PROMISED = 0.1
-NO_CHANGE = 1e-9
-# the barrier's weight of time grows at most so much at once
-FASTEST = 4.0
-# durations that are tried to begin with, from a shorter to a longer one than any motion takes
-DURATIONS = 120
+# the first of the durations that are tried is shorter by this factor, and the last one longer, than
+# velocity and acceleration alone tell
 FARTHER = 1e3
-# where given states exceed the limits, these are so much wider than needed at first, and come back
-# in steps that leave this share of what they could take; beyond this share of them nothing is left
-ROOMIER = 1.5
+# share of what could be taken back at once that is left where given states exceed the limits; where
+# they take more of the limits than this, there is nothing to take back
 LEFT = 0.1
-RETREATS = 60
 STUCK = 0.999
+
+
+def gap_of(point: int) -> float:
+    """By how much the duration at a point (`Point`) may exceed the shortest one, at most."""
+    return LAST_GAP * FASTER ** (Point.LAST - point)
 
 
 def try_move(
@@ -112,7 +117,7 @@ def write_step_of(
     """
     axes = int(path[Path.AXES])
     ridge = 0.0
-    for attempt in range(RIDGES):
+    for attempt in range(HALVINGS):
         for i in range(links.shape[0]):
             axis = i % axes
             time = spans[i // axes, Stretch.TRIAL]
@@ -121,7 +126,7 @@ def write_step_of(
             write_band(path, tracks, spots, links, spans, band)
             if band_solve(band):
                 return write_steps(path, tracks, spots, links, spans, band, theta)
-        ridge = max(HIGHER * ridge, RIDGE)
+        ridge = max(ridge / RIDGE, RIDGE)
     return -NEVER
 
 
@@ -142,15 +147,15 @@ def centre_path(
         )
         if not -NEVER < decrease < NEVER:
             return False
-        longest = NO_CHANGE
+        longest = LARGEST_STEP
         for j in range(spans.shape[0]):
             longest = max(longest, abs(spans[j, Stretch.STEP]))
-        share = min(1.0, LARGEST_STEP / longest)
+        share = LARGEST_STEP / longest
         try_move(share, path, spots, links, spans)
         tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
-        while not tried <= value - PROMISED * share * decrease:
+        while not tried <= value:
             share = 0.5 * share
-            if share < LEAST_STEP:
+            if share < HALF_DIGITS:
                 return False
             try_move(share, path, spots, links, spans)
             tried = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
@@ -176,7 +181,7 @@ def begin_path(
     take_tried(spots, links, spans)
     if used < 1.0:
         return True
-    path[Path.ROOM] = ROOMIER * used
+    path[Path.ROOM] = 2.0 * used
     return retreat(path, tracks, spots, links, spans, grid, square, band)
 
 
@@ -192,14 +197,14 @@ def slow_path(
     """
     path[Path.ROOM] = 1.0
     before = NEVER
-    for attempt in range(SLOWER):
+    for attempt in range(HALVINGS):
         try_move(0.0, path, spots, links, spans)
         value = barrier_value(0.0, path, tracks, spots, links, spans, grid, square)
         total = path_total(Stretch.TIME, spans)
         if before < NEVER:
             theta = (before - value) / (total * (1.0 - 1.0 / SLOWING))
             if theta * gap * total <= path[Path.TERMS]:
-                return FASTEST * theta
+                return FASTER * theta
         before = value
         for i in range(spots.shape[0]):
             for field in range(Free.SIZE):
@@ -228,10 +233,10 @@ def write_times(
             distance = links[j * axes + axis, Link.TRIAL, GridColumn.DISTANCE]
             reach = max(reach, abs(distance) / limit)
     first = log(1.0 / FARTHER * least)
-    growth = (log(FARTHER * (least + reach)) - first) / (DURATIONS - 1)
+    growth = (log(FARTHER * (least + reach)) - first) / SAMPLES
     for j in range(spans.shape[0]):
         fits = NEVER
-        for k in range(DURATIONS):
+        for k in range(SAMPLES + 1):
             used = 0.0
             for axis in range(axes):
                 link = links[j * axes + axis, :, :]
@@ -255,7 +260,7 @@ def retreat(
     Where time counts much, short durations push against the limits, and what can be taken back
     gets small. Where it counts little, the motion may turn into a detour.
     """
-    for attempt in range(RETREATS):
+    for attempt in range(HALVINGS):
         theta = path[Path.TERMS] / (path[Path.START] * path_total(Stretch.TIME, spans))
         if not centre_path(theta, CENTRED, path, tracks, spots, links, spans, grid, square, band):
             return False
@@ -288,5 +293,5 @@ def follow_path(
         ):
             return -1.0
         reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))
-        theta = theta * min(FASTEST, max(1.0, reached / gap))
+        theta = theta * min(FASTER, max(1.0, reached / gap))
     return theta

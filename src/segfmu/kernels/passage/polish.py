@@ -5,7 +5,7 @@ The planner makes a quick effort (Effort), which takes five sixths of the time a
 the result.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import HALVINGS, NEVER, TIE
 from segfmu.kernels.passage.judge import (
     common_length,
     leaves_box,
@@ -23,10 +23,6 @@ from segfmu.kernels.planner.records import Axis, Cell, Effort, Interval, Waypoin
 FIRST_MOVE = 0.03
 FINER = 0.32
 SWEEPS = 3
-# moves of one state, as long as each gains
-MOVES = 1000
-# durations that differ by less than this share are alike
-NO_GAIN = 1e-6
 
 
 def keep_cells(
@@ -118,12 +114,12 @@ def polish_state(
     move = path[Path.STEP] * 0.5 * (high - low)
     before = NEVER
     # both ways first, then the better one
-    for trial in range(MOVES):
+    for trial in range(HALVINGS):
         here = states[point, axis, WaypointState.VELOCITY + field]
         value = min(max(here + move, low), high)
         keep_cells(point, axis, False, axes, cells, links)
         set_state(value, point, axis, field, states, axes, cells)
-        path[Path.KNOWN] = least * (1.0 - NO_GAIN)
+        path[Path.KNOWN] = least / TIE
         found = tried_length(
             point, axis, states, path, links, spans, axes, cells, timing, coefficients, work
         )
@@ -154,7 +150,7 @@ def runs_backwards(spans: 'float[:,:]') -> bool:
         longest = max(longest, spans[j, Stretch.LENGTH])
     for j in range(count):
         ahead = spans[j, Stretch.LENGTH] - spans[count - 1 - j, Stretch.LENGTH]
-        if abs(ahead) > NO_GAIN * longest:
+        if abs(ahead) > (TIE - 1.0) * longest:
             return ahead < 0.0
     return False
 

@@ -36,12 +36,25 @@ class Path(Record):
     MARGIN = field("by which a plan may leave its box", "m")
 
 
+class Point(Codes):
+    """Points of a path, by the gap of their duration to the shortest one.
+
+    FAR, NEAR: at which it begins. FIRST to LAST: whose states are offered.
+    """
+
+    FAR = 0
+    NEAR = 3
+    FIRST = 5
+    SECOND = 6
+    LAST = 7
+
+
 class Track(Axis):
     """What an axis may do, for the planner and on the path."""
 
     LIMIT = field("half ranges of velocity and acceleration", size=2)
-    JERK_LIMIT = field("limit of the jerk; 1e100: none", "m/s3")
-    SNAP_LIMIT = field("limit of the snap; 1e100: none", "m/s4")
+    JERK_LIMIT = field("limit of the jerk; 1e300: none", "m/s3")
+    SNAP_LIMIT = field("limit of the snap; 1e300: none", "m/s4")
     MIDDLE = field("of the ranges of velocity and acceleration", "m/s, m/s2", size=2)
     ALLOWED = field("range of the positions", "m", size=2)
 

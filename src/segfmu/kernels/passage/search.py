@@ -11,7 +11,14 @@ from math import floor, sqrt
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.boxes import is_moving
 from segfmu.kernels.passage.judge import offer_states
-from segfmu.kernels.passage.path import ENOUGH, begin_path, follow_path, path_total, slow_path
+from segfmu.kernels.passage.path import (
+    ENOUGH,
+    begin_path,
+    follow_path,
+    gap_of,
+    path_total,
+    slow_path,
+)
 from segfmu.kernels.passage.records import (
     Block,
     Cells,
@@ -19,6 +26,7 @@ from segfmu.kernels.passage.records import (
     GridColumn,
     Link,
     Path,
+    Point,
     Spot,
     Stretch,
     Tools,
@@ -27,14 +35,6 @@ from segfmu.kernels.passage.records import (
 from segfmu.kernels.planner.records import Axis, PlanOptions, Shape, WaypointState
 from segfmu.kernels.trajectory.records import MotionWork
 
-# of a path, see gap_of
-LAST_POINT = 2
-# by how much the durations of the points of a path exceed the shortest one, at most
-FIRST_GAP = 0.3
-SECOND_GAP = 0.1
-LAST_GAP = 0.03
-# a limit that is none
-UNLIMITED = 1e100
 # the snap that a limit of the jerk leaves, over that of a jerk that rises all the time
 STEEP = 10.0
 # shares of the limits of jerk and snap that a path uses, for each degree of tightness, and what
@@ -44,14 +44,12 @@ SNAP_SHARE = 0.75
 SMOOTHSTEP_JERK = 0.6
 SMOOTHSTEP_SNAP = 0.5
 # degrees of an interval that is slow: the first one, and the next ones from the last; between one
-# that is slow and one that is not, closer ones are not told apart. And paths, until none is tried
+# that is slow and one that is not, closer ones are not told apart
 TIGHTER = 0.5
 TIGHTENING = 1.4
 TIGHT_ENOUGH = 0.4
+# paths, until none is tried
 SWEEPS = 10
-# the path behind which all intervals get tighter if the planner has kept up with none: of many
-# intervals some are slow in every path
-LATE = 6
 # states are multiples of their limit over this
 DIGITS = 65536.0
 
@@ -74,14 +72,14 @@ def write_tracks(
         jerk = limit_of(2, axis, limits)
         snap = limit_of(3, axis, limits)
         crackle = limit_of(4, axis, limits)
-        if crackle < UNLIMITED:
+        if crackle < NEVER:
             snap = min(snap, (crackle * crackle * acceleration) ** (1.0 / 3.0))
         pop = limit_of(5, axis, limits)
-        if pop < UNLIMITED:
+        if pop < NEVER:
             snap = min(snap, sqrt(pop * acceleration))
-        if snap < UNLIMITED:
+        if snap < NEVER:
             path[Path.ORDER] = 4.0
-        if jerk < UNLIMITED:
+        if jerk < NEVER:
             snap = min(snap, STEEP * jerk * jerk / acceleration)
         tracks[axis, Track.JERK_LIMIT] = jerk
         tracks[axis, Track.SNAP_LIMIT] = snap
@@ -90,11 +88,11 @@ def write_tracks(
 
 
 def limit_of(place: int, axis: int, limits: 'float[:,:]') -> float:
-    """A limit, from the velocity on; UNLIMITED where there is none."""
+    """A limit, from the velocity on; NEVER where there is none."""
     if place < limits.shape[1]:
         if limits[axis, place] > 0.0:
-            return min(limits[axis, place], UNLIMITED)
-    return UNLIMITED
+            return min(limits[axis, place], NEVER)
+    return NEVER
 
 
 def limit_share(order: int, degree: float, smoothstep: bool) -> float:
@@ -138,7 +136,7 @@ def write_scales_of(
             share = limit_share(order, spans[i // count, Stretch.DEGREE], smoothstep)
             links[i, Link.SCALE, order] = 0.0
             links[i, Link.WHERE, order] = 0.0
-            if limit < UNLIMITED:
+            if limit < NEVER:
                 links[i, Link.SCALE, order] = 1.0 / (limit * share)
             if order < 3:
                 links[i, Link.WHERE, order] = -tracks[axis, Track.MIDDLE + order - 1] / limit
@@ -195,15 +193,6 @@ def highest_state(field: int, limit: float) -> float:
     return limit
 
 
-def gap_of(place: int) -> float:
-    """By how much the duration of a point may exceed the shortest one, at most."""
-    if place == 0:
-        return FIRST_GAP
-    if place == 1:
-        return SECOND_GAP
-    return LAST_GAP
-
-
 def may_beat(known: float, place: int, total: float) -> bool:
     """Whether a path may be shorter than a known one, by the duration of a point (`gap_of`)."""
     return total <= (1.0 + ENOUGH * gap_of(place)) * known
@@ -230,13 +219,13 @@ def try_path(
     best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
-    offered = LAST_POINT
+    offered = Point.LAST
     if is_moving(given):
-        offered = 0
-    first = 0
+        offered = Point.FIRST
+    first = Point.FIRST
     if path[Path.FOLLOWED] != 0.0:
-        first = LAST_POINT
-        theta = slow_path(gap_of(1), path, axes, spots, links, spans, grid, square)
+        first = Point.LAST
+        theta = slow_path(gap_of(Point.SECOND), path, axes, spots, links, spans, grid, square)
         if theta < 0.0:
             return False
     elif begin_path(path, axes, spots, links, spans, grid, square, band):
@@ -244,7 +233,7 @@ def try_path(
     else:
         return False
     fewest = spans.shape[0] + 1
-    for place in range(first, LAST_POINT + 1):
+    for place in range(first, Point.LAST + 1):
         theta = follow_path(
             theta, gap_of(place), path, axes, spots, links, spans, grid, square, band
         )
@@ -252,7 +241,7 @@ def try_path(
             break
         path[Path.TOTAL] = path_total(int(Stretch.TIME), spans)
         hopeful = may_beat(min(path[Path.BEST], path[Path.KNOWN]), place, path[Path.TOTAL])
-        last = place == LAST_POINT and may_beat(path[Path.KNOWN], place, path[Path.TOTAL])
+        last = place == Point.LAST and may_beat(path[Path.KNOWN], place, path[Path.TOTAL])
         if not (hopeful or last):
             return False
         if place < offered:
@@ -300,7 +289,7 @@ def search_states(
             path[Path.LOOSEST] = min(path[Path.LOOSEST], path[Path.TOTAL])
         if not going_on:
             return
-        if not tighten_path(sweep >= LATE and path[Path.BEST] >= known, spans):
+        if not tighten_path(sweep > SWEEPS // 2 and path[Path.BEST] >= known, spans):
             return
         # the next path is much like this one
         path[Path.FOLLOWED] = resting

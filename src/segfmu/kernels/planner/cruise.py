@@ -3,7 +3,7 @@
 The cruise velocity is given, or such that the cruise has zero duration.
 """
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, ROUNDED, SAME
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
@@ -20,8 +20,6 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.records import Axis, Problem
 
-# a root within this share
-ROOT = 1e-15
 # cruise velocities that are looked at in each direction
 SAMPLES = 6
 
@@ -127,7 +125,7 @@ def vanishing_cruise(
         newest = middle
         e_newest = error
         falls_short = missing
-        if count >= 0 and abs(error) <= ROOT * abs(distance):
+        if count >= 0 and abs(error) <= ROUNDED * abs(distance):
             other = newest
             break
     lower = newest

@@ -4,17 +4,13 @@ Each polynomial piece is cut where a derivative is zero, from that of the levels
 the cuts the next lower one rises or falls, so its extremes are at cuts.
 """
 
-from segfmu.kernels.numerics.numbers import HALVINGS, TIE
+from segfmu.kernels.numerics.numbers import HALF_DIGITS, HALVINGS, TIE
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sides import side_limit
 
-# of a piece's length: where a peak is known
-PEAK = 1e-7
 # a limit is exceeded by more than this share
 EXCEEDED = 1e-10
-# a derivative has one zero at most between those of the ones above
-ZEROS = 16
 
 
 def taylor_value(order: int, top: int, t: float, state: 'float[:]') -> float:
@@ -48,7 +44,7 @@ def zero_time(order: int, top: int, length: float, state: 'float[:]') -> float:
             if t + newton >= lower and t + newton <= upper:
                 step = newton
         t = t + step
-        if abs(step) <= PEAK * length:
+        if abs(step) <= HALF_DIGITS * length:
             break
     return t
 
@@ -94,7 +90,7 @@ def piece_excess(
     top = int(axis[Axis.SMOOTHNESS]) + 1
     rest = length
     # each derivative has one zero at most between those of the ones above
-    for i in range(ZEROS):
+    for i in range(HALVINGS):
         step = rest
         advance_piece(top, step, state, end)
         for j in range(q - 1):

@@ -9,14 +9,13 @@ five between the states.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import ROUNDED, SAME
+from segfmu.kernels.numerics.numbers import HALF_DIGITS, ROUNDED, SAME
 from segfmu.kernels.planner.phases import append_change, append_hold
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Gentle, Phase, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
-# difference for slopes, as a share of the levels, and the least determinant of a step, of its terms
-DIFFERENCE = 1e-7
+# the least determinant of a step, of its terms
 DETERMINANT = 1e-9
 # starts: half the difference of the levels grows by this from one to the next
 WIDER = 1.5
@@ -134,7 +133,7 @@ def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
     """Set the derivatives of both errors with the levels, from differences; False: all are zero."""
     gain = gentle[Gentle.GAIN]
     excess = gentle[Gentle.EXCESS]
-    change = DIFFERENCE * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
+    change = HALF_DIGITS * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
     if change == 0.0:
         return False
     for i in range(2):

@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEARLY, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import (
@@ -23,12 +23,9 @@ from segfmu.kernels.planner.synchronize import timed_profile
 # how a duration grows at first that is looked for behind the last end of a gap, and how the growth
 # itself does: windows get longer
 GROWTH = 1.005
-# meetings of axes until there is no common duration
-SWEEPS = 100000
-# sample times [s], and the largest count of samples that is a whole number
+# sample times [s]
 SHORTEST_SAMPLE = 1e-9
 LONGEST_SAMPLE = 1e6
-WHOLE = 1e15
 
 
 def set_shortest(
@@ -147,7 +144,8 @@ def round_up(duration: float, sample_time: float) -> float:
     if sample_time <= 0.0:
         return duration
     samples = duration / sample_time - NEARLY
-    if not samples < WHOLE:
+    # larger counts are no whole numbers
+    if not samples * LAST_DIGIT < 1.0:
         return duration
     return ceil(samples) * sample_time
 
@@ -173,7 +171,7 @@ def common_duration(
     duration = round_up(duration, sample_time)
     place = first
     agreed = 0
-    for i in range(SWEEPS):
+    for i in range(HALVINGS * (last - first)):
         if agreed == last - first:
             return duration
         if duration >= most:

@@ -6,9 +6,8 @@ BY_TIME of a family (Family) selects duration or distance, TARGET is its value.
 from segfmu.kernels.planner.records import Family
 from segfmu.kernels.planner.search import bracketed_root, canonical_value, window_edge
 
-# parameters on this side of SCALE and in all, growing as squares
+# parameters on this side of SCALE, growing as squares; there are three times as many in all
 SCALED = 12
-MEMBERS = 36
 
 
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:
@@ -33,7 +32,7 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         if begin > SCALED + 1 and lower >= 0.0 and f_lower > target:
             return -1.0
     p = 0.0
-    for i in range(begin, MEMBERS):
+    for i in range(begin, 3 * SCALED):
         p = family[Family.SCALE] * i * i / (SCALED * SCALED)
         value, duration = canonical_value(p, family, axis)
         upper = p

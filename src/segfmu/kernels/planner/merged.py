@@ -4,7 +4,7 @@ Reversal of time and mirroring of the position reduce every branch to the canoni
 search.py searches by distance or by duration.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL
+from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, NEARLY
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.members import member_search
@@ -21,16 +21,13 @@ from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
-# of the velocity limit: what a peak leaves below it
-MARGIN = 1e-9
 # the least first level, and steps by which a bracket is probed, as shares; where it is that narrow,
 # what exceeds the limit is next to it
 LOWEST = 0.001
 PROBE = 1e-3
 NARROW = 1e-5
-# halvings to a level that exists, steps to the highest one, and those by secants that are flat
+# halvings to a level that exists, and steps by secants that are flat
 EXISTS = 24
-STEPS = 60
 FLAT_STEPS = 24
 # the least scale of a family, as a share of the time
 SCALE = 0.1
@@ -198,7 +195,7 @@ def level_within(
         other_limit = axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
     rounding = EQUAL * fastest_velocity(axis)
-    margin = MARGIN * fastest_velocity(axis)
+    margin = NEARLY * fastest_velocity(axis)
     too_low = max(family[Family.A], max(family[Family.B], LOWEST * outside))
     inside = too_low
     for i in range(EXISTS):
@@ -233,7 +230,7 @@ def highest_within(
     axis: 'float[:]',
 ) -> float:
     """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
-    margin = MARGIN * fastest_velocity(axis)
+    margin = NEARLY * fastest_velocity(axis)
     before = outside
     e_before = e_outside
     newest_inside = True
@@ -241,7 +238,7 @@ def highest_within(
     constant = False
     probing = False
     steps = 0
-    while steps < STEPS:
+    while steps < HALVINGS:
         steps = steps + 1
         probing = False
         if constant:
@@ -299,7 +296,7 @@ def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') ->
     """
     count = merged_form(phases, family[Family.TOP], family, axis)
     rounding = EQUAL * fastest_velocity(axis)
-    margin = MARGIN * fastest_velocity(axis)
+    margin = NEARLY * fastest_velocity(axis)
     if count <= 0:
         return count
     v = family[Family.START_VELOCITY]

@@ -36,8 +36,6 @@ HOPEFUL = 0.7
 BESIDE = 1e-11
 NEAR = 1e-4
 GRID = 1e-10
-# steps that count for those beyond NEAR: rounding decides how many they are
-LAST_STEPS = 1.0
 # what a step has to take off an error, as a share of its length
 GAINED = 1e-4
 
@@ -234,7 +232,8 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     error = residual_norm(count, residual)
     quick = ramps_suffice(axis) or passing[Passing.QUICK] != 0.0
     earlier = error
-    spent = work[PlanWork.TIGHTEN, Tighten.STEPS] + LAST_STEPS
+    # all steps beyond NEAR count as one: rounding decides how many they are
+    spent = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for i in range(STEPS):
         # what is left are rounding errors
         if error <= ROUNDED:

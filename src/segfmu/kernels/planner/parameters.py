@@ -25,12 +25,9 @@ from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.planner.sides import top_acceleration
 from segfmu.kernels.planner.transition import transition_peaks
 
-# shares of a rise in the rise that it belongs to; see `usual_share` and those after it
+# share of a rise in the rise that it belongs to, and what is left of it where rises are steeper
 USUAL = 0.1
-SNAP_ALONE = 0.05
-STEEPER_ABOVE = 0.2
-MODERATE = 0.02
-STEEPEST = 0.004
+STEEPER = 0.2
 # what ramps of the snap save without smoothness is half of such a share, and a little
 SAVED = 0.6
 # a rise that no limit ends [s]: its powers do not overflow
@@ -63,7 +60,7 @@ def usual_share(axis: 'float[:]') -> float:
     """
     raised = int(axis[Axis.RAISED])
     if axis[Axis.SMOOTHNESS] + raised == 4.0 and raised < 2 and axis[Axis.JERK + 1 - raised] > 0.0:
-        return SNAP_ALONE
+        return 0.5 * USUAL
     return USUAL
 
 
@@ -72,17 +69,17 @@ def steeper_above() -> float:
 
     That bounds the errors of forces that are held.
     """
-    return STEEPER_ABOVE
+    return STEEPER
 
 
 def moderate_share() -> float:
     """Share where the limits leave no room for the usual rises, at first."""
-    return MODERATE
+    return STEEPER * USUAL
 
 
 def steepest_share() -> float:
     """Share where they leave no room for moderate rises."""
-    return STEEPEST
+    return STEEPER * moderate_share()
 
 
 def ramps_suffice(axis: 'float[:]') -> bool:

@@ -26,16 +26,15 @@ from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tig
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
-from segfmu.kernels.planner.tighten import tighten
+from segfmu.kernels.planner.tighten import EACH, tighten
 
 # the pace of a sequence that is slowed down, from the one before; halvings end at this difference
 SLOWER = 0.97
 PACES = 24
 PACE_ERROR = 1e-4
-# steps of a duration that is approached: the least one as a share of the way, what tightening may
-# take at each of them, and in all
+# steps of a duration that is approached: the least one as a share of the way, and what tightening
+# may take in all
 LEAST_STEP = 0.01
-EACH = 40.0
 ALL = 300.0
 
 

@@ -1,11 +1,8 @@
 """Checks of waypoints and limits before planning."""
 
 from segfmu.kernels.numerics.numbers import NEARLY, ROUNDED
-from segfmu.kernels.planner.intervals import LONGEST_SAMPLE, SHORTEST_SAMPLE, WHOLE, round_up
+from segfmu.kernels.planner.intervals import LONGEST_SAMPLE, SHORTEST_SAMPLE, round_up
 from segfmu.kernels.planner.records import PlanStatus, Refusal, WaypointState
-
-# the largest double
-LARGEST = 1.7976931348623157e308
 
 
 def check_problem(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
@@ -34,6 +31,11 @@ def check_limits(limits: 'float[:,:]', report: 'float[:]') -> int:
     return PlanStatus.PLANNED
 
 
+def is_real(value: float) -> bool:
+    """Whether a number is neither infinite nor not a number."""
+    return value - value == 0.0
+
+
 def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:]') -> int:
     """PlanStatus of a state that is not finite: it would keep every limit that it is tested for."""
     for j in range(states.shape[0]):
@@ -42,7 +44,7 @@ def check_numbers(states: 'float[:,:,:]', limits: 'float[:,:]', report: 'float[:
             report[Refusal.AXIS] = axis
             for i in range(WaypointState.SIZE):
                 value = states[j, axis, i]
-                if abs(value) <= LARGEST:
+                if is_real(value):
                     continue
                 report[Refusal.VALUE] = value
                 if i == WaypointState.POSITION:
@@ -165,12 +167,10 @@ def settle_states(
 def settle_dwells(sample_time: float, dwells: 'float[:]') -> int:
     """Round dwells up to multiples of a sample time [s], 0: any; returns how many change."""
     changed = 0
-    # others are refused, and counts beyond this are no whole numbers
+    # others are refused
     if SHORTEST_SAMPLE <= sample_time <= LONGEST_SAMPLE:
         for j in range(dwells.shape[0]):
-            rounded = dwells[j]
-            if rounded < WHOLE * sample_time:
-                rounded = round_up(rounded, sample_time)
+            rounded = round_up(dwells[j], sample_time)
             if abs(rounded - dwells[j]) > 0.0:
                 dwells[j] = rounded
                 changed = changed + 1
@@ -188,5 +188,6 @@ def is_same(before: 'float[:,:]', state: 'float[:,:]') -> bool:
 
 def differ(before: float, value: float) -> bool:
     """Whether two numbers differ by more than rounding, relative to their size or to 1."""
-    size = abs(value)
-    return not (size <= LARGEST and abs(value - before) <= ROUNDED * max(size, 1.0))
+    return not (
+        is_real(value) and abs(value - before) <= ROUNDED * max(abs(value), 1.0)
+    )

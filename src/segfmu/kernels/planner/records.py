@@ -74,6 +74,16 @@ class Effort(Codes):
     THOROUGH = 2
 
 
+class Weight(Codes):
+    """In place of the share of the second of two averaged profiles, where there are none.
+
+    UNBRAKED: an acceleration at an end cannot be braked.
+    """
+
+    MISSING = -1
+    UNBRAKED = -2
+
+
 class Rises(Codes):
     """How steep the rises of the ramps are (parameters.py).
 

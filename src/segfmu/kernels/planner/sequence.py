@@ -15,11 +15,16 @@ node becomes a level, which touches the limit; that of q - 1 or q - 3 has one co
 
 from segfmu.kernels.planner.instant import instant_error
 from segfmu.kernels.planner.ramp import plateau_change, plateau_duration, rise_moments
-from segfmu.kernels.planner.records import Axis, Equations, Node, Passing, Problem, Touch
+from segfmu.kernels.planner.records import (
+    Axis,
+    Equations,
+    Node,
+    Passing,
+    PlanWork,
+    Problem,
+    Touch,
+)
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
-
-# nodes that a work space has rows for
-MOST_NODES = 16
 
 
 def power_of(base: float, exponent: int) -> float:
@@ -309,4 +314,4 @@ def is_square(passing: 'float[:]', nodes: 'float[:,:]') -> bool:
     count = int(passing[Passing.COUNT])
     conditions = first_row(count, passing, nodes) + int(passing[Passing.ABOVE]) + 2
     conditions = conditions + int(passing[Passing.INSTANTS])
-    return conditions == count and count <= MOST_NODES
+    return conditions == count and count + 2 <= PlanWork.KEPT - PlanWork.NODES

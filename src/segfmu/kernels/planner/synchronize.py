@@ -49,6 +49,7 @@ from segfmu.kernels.planner.records import (
     Nearest,
     PlanWork,
     Problem,
+    Weight,
 )
 from segfmu.kernels.planner.sides import is_beyond
 from segfmu.kernels.planner.timed_cruise import is_enclosed
@@ -58,8 +59,6 @@ from segfmu.kernels.planner.timed_cruise import is_enclosed
 LESS = 0.75
 NONE = 0.99
 STRETCHES = 9
-# in place of a weight where an acceleration at an end cannot be braked
-UNBRAKED = -2.0
 
 
 def is_turning(lowest: float, highest: float) -> bool:
@@ -209,7 +208,7 @@ def timed_forwards(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     if weight >= 0.0:
         return weight
     weight = timed_braked(axis, cell, work)
-    if weight == UNBRAKED:
+    if weight == Weight.UNBRAKED:
         return -1.0
     if weight < 0.0 and axis[Axis.ABOVE] != 0.0:
         weight = slower_passing(axis, cell, work)
@@ -244,7 +243,7 @@ def timed_smoothly(
 def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """`timed_profile` with ramps, also after braking the accelerations.
 
-    -1: there are none; UNBRAKED: braking fails.
+    Below zero as `Weight`.
     """
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
@@ -253,7 +252,7 @@ def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
         if taken == Braking.NOT_NEEDED:
             continue
         if taken < 0:
-            return UNBRAKED
+            return float(Weight.UNBRAKED)
         if rest[Problem.DURATION] <= 0.0:
             continue
         clear_nearest(work)

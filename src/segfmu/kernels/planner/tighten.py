@@ -10,9 +10,9 @@ from segfmu.kernels.planner.plateaus import keep_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import sequence_duration
 
-# Newton's steps that a sequence may take in all and at each limit, and the least part of an excess
-# that it takes away at once; with ramps that take much longer there is more to gain, and where
-# levels are compared there is more to do
+# Newton's steps that a sequence may take in all and each time that limits come down, and the least
+# part of an excess that it takes away at once; with ramps that take much longer there is more to
+# gain, and where levels are compared there is more to do
 ALL = 150.0
 EACH = 40.0
 LEAST = 0.1

@@ -32,10 +32,8 @@ from segfmu.kernels.planner.starts import begin_sequence
 NEAR = 0.9
 # two levels of the snap make one of the jerk, in this time
 TWO_LEVELS = 0.7
-# attempts, those whose velocity touches its limit at one end at most, and those of short searches
-ATTEMPTS = 34
-ONE_END = 30
-FEW = 6
+# variants whose velocity touches its limit at one end at most: attempts of short searches
+ONE_END = 6
 
 
 def sign_of(value: float) -> float:
@@ -78,7 +76,7 @@ def set_touching(
         add_instant(1, sign_of(problem[Problem.A]), 1 + variant // 2, passing)
     else:
         add_instant(1, sign_of(-problem[Problem.B]), q - 1, passing)
-    if variant >= 6:
+    if variant >= ONE_END:
         insert_node(q + 1, 0, -last, time, False, work)
         add_instant(1, sign_of(problem[Problem.A]), 1, passing)
 
@@ -89,9 +87,10 @@ def touching_guess(attempt: int) -> 'tuple[int, float]':
     Of 34 attempts the first six are most likely to succeed; the last four are those whose velocity
     touches its limit at both ends.
     """
-    if attempt >= ONE_END:
-        return 6 + attempt % 2, 0.5 + 0.15 * ((attempt - ONE_END) // 2)
-    time = attempt // 6
+    both = attempt - 5 * ONE_END
+    if both >= 0:
+        return ONE_END + both % 2, 0.5 + 0.15 * (both // 2)
+    time = attempt // ONE_END
     share = 0.65
     if time == 1:
         share = 0.5
@@ -101,7 +100,7 @@ def touching_guess(attempt: int) -> 'tuple[int, float]':
         share = 1.0
     elif time == 4:
         share = 0.35
-    return attempt % 6, share
+    return attempt % ONE_END, share
 
 
 def touching_starts(
@@ -119,11 +118,11 @@ def touching_starts(
     last = may_touch(problem[Problem.W], -problem[Problem.B], axis)
     used = 0
     before = 0.0
-    attempts = ATTEMPTS
+    attempts = 5 * ONE_END + 4
     ways = usual_ways(axis, work)
     if ramps_suffice(axis):
         # of 2,576 problems with barely braked states others would shorten two, in more time
-        attempts = FEW
+        attempts = ONE_END
         ways = 1
     for attempt in range(attempts):
         variant, share = touching_guess(attempt)

@@ -22,19 +22,18 @@ from segfmu.kernels.settling.brake_pieces import (
     split_brake,
     time_inside,
 )
+from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.inside import bring_highest, bring_inside
 from segfmu.kernels.settling.kept_brakes import keep_brake, kept_brake
 from segfmu.kernels.settling.records import Chain, KeptBrake, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 
-# derivatives that nothing limits are raised by this factor, so often, as long as the time of a
-# brake becomes less than this share
-STEEPER = 10.0
+# derivatives that nothing limits are raised so often, as long as the time of a brake becomes less
+# than this share
 STEEPEST = 8
 SHORTER = 0.997
-# shares of its time below which a brake is taken that turns round again, or leaves a limit alone
+# share of its time below which a brake is taken that turns round again
 TURNED = 0.999
-WORTH_LOOSER = 0.5
 
 
 def clip_reached(lead: 'float[:,:]') -> None:
@@ -173,7 +172,7 @@ def choose_brake(
         order = smoothness - i
         if limits[order - 1] > 0.0 and abs(lead[LeadWork.NOW, order]) > limits[order - 1]:
             steep, until = best_steepness(order, whole, limits, lead, timing, coefficients)
-            if steep > 0.0 and until < WORTH_LOOSER * best:
+            if steep > 0.0 and until < 0.5 * best:
                 chosen = steep
                 best = until
                 loose = order

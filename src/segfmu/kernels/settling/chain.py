@@ -11,12 +11,10 @@ from segfmu.kernels.planner.records import Axis, Shape
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# a limit's natural value grows by this at most to let the derivative below brake, in the room that
-# it has, or in none [its unit]
+# a limit's natural value grows by this at most to let the derivative below brake in its room
 MOST = 1e4
-NO_ROOM = 1e-300
-# ramps are no steeper than usual by more than this
-STEEPEST = 10.0
+# derivatives that nothing limits are raised by this factor at a time, and ramps once at most
+STEEPER = 10.0
 
 
 def shortest_scale(order: int, limits: 'float[:]') -> float:
@@ -62,10 +60,12 @@ def chain_limits(
             bound = natural_limit(order, steep, axis, limits)
             if order <= smoothness:
                 bound = max(bound, 2.0 * abs(state[order]))
-            room = limits[order - 2] - abs(state[order - 2])
+            room = max(limits[order - 2] - abs(state[order - 2]), 0.0)
             needed = state[order - 1] * state[order - 1]
-            if needed > room * bound:
-                bound = max(bound, min(needed / max(room, NO_ROOM), MOST * bound))
+            if needed > room * MOST * bound:
+                bound = MOST * bound
+            elif needed > room * bound:
+                bound = needed / room
             limits[order] = bound
 
 
@@ -97,7 +97,7 @@ def set_chains(
         elif order == 1:
             chain[Axis.LOWER] = axis[Axis.LOWER + 1]
         ramp_parameters(
-            usual_share(chain) / min(steep, STEEPEST), chain,
+            usual_share(chain) / min(steep, STEEPER), chain,
             chains[smoothness - 1:smoothness + 1, :],
         )
 
