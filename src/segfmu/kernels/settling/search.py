@@ -18,8 +18,8 @@ from segfmu.kernels.settling.trial import (
     try_lead,
 )
 
-# a lead that takes at most this share of another one's time is as good: steps to its side, and to the
-# other one, gain less, and so do levels of profiles behind it
+# a lead that takes at most this share of another one's time is as good: steps to its side, and to
+# the other one, gain less, and so do levels of profiles behind it
 FLAT = 1.001
 # steps around the best end: the first one, as a share of its limit, halved where it gains nothing
 FIRST_STEP = 0.125
