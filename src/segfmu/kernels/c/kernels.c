@@ -390,7 +390,9 @@ static void write_target(double scale, array_double_1d aim, array_double_1d comm
 static void write_wish(int64_t mode, double scale, array_double_1d aim, array_double_1d command, array_double_2d limits, array_double_2d known);
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_aim(int64_t row, array_double_2d operation);
-static double pace_of(int64_t attempt);
+static bool is_slower(int64_t attempt);
+static double pace_of(int64_t attempt, array_double_2d operation);
+static void note_pace(int64_t attempt, double share, array_double_2d operation);
 static double share_of(int64_t attempt, int64_t axis);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
@@ -472,6 +474,7 @@ static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d
 static void write_forces(array_double_1d crane, array_double_2d reach);
 static void lead_velocities(array_double_1d crane, array_double_2d reach);
 static void write_sway(array_double_2d reach);
+static bool write_demands(array_double_1d crane, array_double_2d work);
 static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
 static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work);
 static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
@@ -532,6 +535,8 @@ static bool calm_on(double elapsed, array_double_2d operation, array_double_2d k
 static bool is_hanging(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static bool keeps_at(double pace, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static double pace_within(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static double side_limit(int64_t order, double sign, array_double_1d axis);
 static double own_side(int64_t order, double sign, array_double_1d axis);
 static void set_lower(array_double_1d lower, array_double_1d axis);
@@ -11895,17 +11900,37 @@ static bool is_aim(int64_t row, array_double_2d operation)
  }
  return 1;
 }
-static double pace_of(int64_t attempt)
+static bool is_slower(int64_t attempt)
 {
- if ((attempt == 1) || (attempt == 7))
+ if ((attempt == 1) || (attempt == 2))
  {
-  return sqrt(0.5);
+  return 1;
  }
+ return (attempt == 7) || (attempt == 8);
+}
+static double pace_of(int64_t attempt, array_double_2d operation)
+{
+ double pace;
+ if (!is_slower(attempt))
+ {
+  return 1.0;
+ }
+ pace = (*cspan_at(&operation, 4, 6));
  if ((attempt == 2) || (attempt == 8))
  {
-  return 0.5;
+  pace = span_min(pace, 0.5);
  }
- return 1.0;
+ return pace;
+}
+static void note_pace(int64_t attempt, double share, array_double_2d operation)
+{
+ double less;
+ less = sqrt(0.5);
+ if (share < 1.0)
+ {
+  less = 0.98 * share;
+ }
+ (*cspan_at(&operation, 4, 6)) = less * pace_of(attempt, operation);
 }
 static double share_of(int64_t attempt, int64_t axis)
 {
@@ -11929,12 +11954,10 @@ static double share_of(int64_t attempt, int64_t axis)
 }
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim)
 {
- bool slows, blocked;
+ bool blocked;
  double horizontal, vertical;
- slows = (attempt == 1) || (attempt == 2);
- slows = slows || (attempt == 7) || (attempt == 8);
  blocked = (failed == 4) || (failed == 5);
- if (slows && blocked)
+ if (is_slower(attempt) && blocked)
  {
   return 0;
  }
@@ -11971,7 +11994,7 @@ static void set_attempt(int64_t attempt, array_double_2d operation, array_double
 {
  double pace, scale, power;
  int64_t axis, i;
- pace = pace_of(attempt);
+ pace = pace_of(attempt, operation);
  scale = 1.0;
  if (((*cspan_at(&operation, 1, 0)) > 0.5) && (attempt < 6))
  {
@@ -13902,12 +13925,11 @@ static void write_sway(array_double_2d reach)
  set_range(-atan(across), (*cspan_at(&q_x, 1)) + most * (*cspan_at(&q_y, 1)), span_row(&reach, 27 + 15));
  set_range(atan((*cspan_at(&q_y, 0))), (*cspan_at(&q_y, 1)), span_row(&reach, 27 + 15 + 1));
 }
-static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
+static bool write_demands(array_double_1d crane, array_double_2d work)
 {
  array_double_2d reach;
  array_double_1d pull;
  int64_t axis;
- write_load(begin, end, timing, coefficients, offsets, work);
  reach = span_rows(&work, 89, 169);
  pull = span_row(&reach, 15);
  set_range((*cspan_at(&crane, 3)), 0.0, pull);
@@ -13928,6 +13950,13 @@ static bool write_reach(double begin, double end, array_double_2d timing, array_
  lead_velocities(crane, reach);
  write_sway(reach);
  return 1;
+}
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work)
+{
+ bool result;
+ write_load(begin, end, timing, coefficients, offsets, work);
+ result = write_demands(crane, work);
+ return result;
 }
 static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work)
 {
@@ -14887,9 +14916,9 @@ static void follow_calm(array_double_2d operation, array_double_3d timing, array
  (*cspan_at(&swing, 0)) = 0.0;
  (*cspan_at(&swing, 31)) = (*cspan_at(&command, 0)) + plan_end(0, 0, timing, offsets);
  (*cspan_at(&progress, 0)) = (*cspan_at(&command, 0));
- (*cspan_at(&progress, 9)) = (*cspan_at(&progress, 9)) + 1.0;
+ (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
  (*cspan_at(&progress, 3)) = 0.0;
- (*cspan_at(&progress, 6)) = 0.0;
+ (*cspan_at(&progress, 7)) = 0.0;
  for (i = 0; i < 5; i += 1)
  {
   (*cspan_at(&operation, 3, i)) = (*cspan_at(&operation, 1, i));
@@ -14910,7 +14939,7 @@ static bool try_calm(bool rests, array_double_2d operation, array_double_2d know
  aim = span_row(&operation, 1);
  radian = 20.0 * resolved_step((*cspan_at(&known, 0, 3)), span_row(&operation, 32));
  retry = (*cspan_at(&operation, 0, 0)) + radian;
- (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
+ (*cspan_at(&progress, 11)) = (*cspan_at(&progress, 11)) + 1.0;
  status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
  if (status != 0)
  {
@@ -15066,7 +15095,7 @@ int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d kno
  double retry;
  int64_t result;
  progress = span_row(&operation, 4);
- (*cspan_at(&progress, 11)) = (*cspan_at(&operation, 0, 20));
+ (*cspan_at(&progress, 12)) = (*cspan_at(&operation, 0, 20));
  if (!is_hanging(span_row(&operation, 0)))
  {
   (*cspan_at(&progress, 1)) = 3;
@@ -15098,15 +15127,77 @@ static bool takes_measured(array_double_2d operation, array_double_2d known, arr
  }
  if (!((*cspan_at(&command, 20)) > 0.5))
  {
-  (*cspan_at(&progress, 11)) = 0.0;
+  (*cspan_at(&progress, 12)) = 0.0;
   return 0;
  }
- if ((*cspan_at(&progress, 11)) > 0.5)
+ if ((*cspan_at(&progress, 12)) > 0.5)
  {
   return 0;
  }
  result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
  return result;
+}
+static bool keeps_at(double pace, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+ double share;
+ int64_t order, axis, place;
+ bool result;
+ write_load(time, time, timing, coefficients, offsets, work);
+ share = pace;
+ for (order = 2; order < 5; order += 1)
+ {
+  share = share * pace;
+  for (axis = 0; axis < 3; axis += 1)
+  {
+   place = 89 + 0 + 3 * order + axis;
+   (*cspan_at(&work, place, 0)) = share * (*cspan_at(&work, place, 0));
+  }
+ }
+ if (!write_demands(span_row(&known, 0), work))
+ {
+  return 0;
+ }
+ result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
+ return result;
+}
+static double pace_within(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work)
+{
+ double time, until, at, low, middle, pace;
+ int64_t k, i;
+ pace = 1.0;
+ time = (*cspan_at(&timing, (*cspan_at(&offsets, 0)), 0));
+ until = interval_end(time, timing, offsets);
+ while(until > time)
+ {
+  for (k = 0; k < 4; k += 1)
+  {
+   at = time + (until - time) * k / 4;
+   if (!keeps_at(pace, at, timing, coefficients, offsets, known, work))
+   {
+    if (!keeps_at(0.25, at, timing, coefficients, offsets, known, work))
+    {
+     return 1.0;
+    }
+    low = 0.25;
+    for (i = 0; i < 8; i += 1)
+    {
+     middle = 0.5 * (low + pace);
+     if (keeps_at(middle, at, timing, coefficients, offsets, known, work))
+     {
+      low = middle;
+     }
+     else
+     {
+      pace = middle;
+     }
+    }
+    pace = low;
+   }
+  }
+  time = until;
+  until = interval_end(time, timing, offsets);
+ }
+ return pace;
 }
 static double side_limit(int64_t order, double sign, array_double_1d axis)
 {
@@ -26927,7 +27018,7 @@ static bool is_prolonged(array_double_2d operation)
  int64_t attempt;
  progress = span_row(&operation, 4);
  attempt = (int64_t)((*cspan_at(&progress, 3)));
- if (((*cspan_at(&progress, 6)) > 0.0) || (!is_aim(3, operation)))
+ if (((*cspan_at(&progress, 7)) > 0.0) || (!is_aim(3, operation)))
  {
   return 0;
  }
@@ -26938,16 +27029,16 @@ static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, arr
  array_double_1d progress;
  int64_t following;
  progress = span_row(&operation, 4);
- following = (int64_t)((*cspan_at(&progress, 6)));
- (*cspan_at(&progress, 6)) = 0.0;
+ following = (int64_t)((*cspan_at(&progress, 7)));
+ (*cspan_at(&progress, 7)) = 0.0;
  if (following > 0)
  {
   (*result_0_0001) = following - 1;
-  (*result_1_0001) = (int64_t)((*cspan_at(&progress, 7)));
+  (*result_1_0001) = (int64_t)((*cspan_at(&progress, 8)));
   return 0;
  }
  open_ways(operation, known);
- (*cspan_at(&progress, 8)) = 0.0;
+ (*cspan_at(&progress, 9)) = 0.0;
  (*result_0_0001) = 0;
  (*result_1_0001) = 0;
  return 0;
@@ -26982,8 +27073,8 @@ static void put_off(int64_t attempt, int64_t failed, array_double_2d operation)
 {
  array_double_1d progress;
  progress = span_row(&operation, 4);
- (*cspan_at(&progress, 6)) = 1 + attempt;
- (*cspan_at(&progress, 7)) = failed;
+ (*cspan_at(&progress, 7)) = 1 + attempt;
+ (*cspan_at(&progress, 8)) = failed;
  if (!is_aim(3, operation))
  {
   (*cspan_at(&progress, 1)) = 7;
@@ -27006,7 +27097,7 @@ static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3
   (*cspan_at(&operation, 22, axis)) = (*cspan_at(&aim, 1 + axis));
   (*cspan_at(&operation, 12, axis)) = share_of(attempt, axis);
  }
- slow = (pace_of(attempt) < 1.0) && (attempt < 6);
+ slow = is_slower(attempt) && (attempt < 6);
  result = seek_velocity(slow, operation, span_matrix(&limits, 1), timing, coefficients, offsets, states, lead);
  return result;
 }
@@ -27031,7 +27122,7 @@ static int64_t rank(int64_t attempt, array_double_2d operation)
  }
  if (attempt <= 2)
  {
-  if ((*cspan_at(&operation, 4, 8)) > 0.0)
+  if ((*cspan_at(&operation, 4, 9)) > 0.0)
   {
    return 10;
   }
@@ -27072,7 +27163,7 @@ static void take_plan(int64_t attempt, array_double_2d operation, array_double_3
  }
  keep_ways(operation);
  (*cspan_at(&progress, 0)) = (*cspan_at(&operation, 0, 0));
- (*cspan_at(&progress, 9)) = (*cspan_at(&progress, 9)) + 1.0;
+ (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
  (*cspan_at(&progress, 1)) = 0;
  if (attempt > 0)
  {
@@ -27088,7 +27179,7 @@ static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d k
  {
   return 0;
  }
- if (!((*cspan_at(&progress, 8)) < 3.0))
+ if (!((*cspan_at(&progress, 9)) < 3.0))
  {
   return 0;
  }
@@ -27096,7 +27187,7 @@ static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d k
  {
   return 0;
  }
- (*cspan_at(&progress, 8)) = (*cspan_at(&progress, 8)) + 1.0;
+ (*cspan_at(&progress, 9)) = (*cspan_at(&progress, 9)) + 1.0;
  return 1;
 }
 static bool holds_until_next(array_double_2d operation)
@@ -27119,7 +27210,7 @@ static bool renew_holds(array_double_2d operation, array_double_2d limits, array
  {
   return 0;
  }
- (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
+ (*cspan_at(&progress, 11)) = (*cspan_at(&progress, 11)) + 1.0;
  status = prove_plan(operation, limits, known, timing, coefficients, offsets, states, lead, work, stack);
  if (status != 0)
  {
@@ -27134,7 +27225,8 @@ static bool renew_holds(array_double_2d operation, array_double_2d limits, array
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
 {
  array_double_1d progress;
- int64_t attempt, failed, tries, status;
+ int64_t attempt, failed, tries, status, first;
+ double share;
  progress = span_row(&operation, 4);
  first_attempt(&attempt, &failed, operation, known);
  tries = 0;
@@ -27151,7 +27243,7 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
    return 0;
   }
   tries = tries + 1;
-  (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
+  (*cspan_at(&progress, 11)) = (*cspan_at(&progress, 11)) + 1.0;
   status = 2;
   if (seek_plan(attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead, work))
   {
@@ -27162,9 +27254,19 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
    take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
    return 1;
   }
-  if ((failed == 0) && ((*cspan_at(&progress, 8)) == 0.0))
+  if ((failed == 0) && ((*cspan_at(&progress, 9)) == 0.0))
   {
    (*cspan_at(&progress, 2)) = status;
+  }
+  if (is_slower(attempt + 1))
+  {
+   share = 1.0;
+   if (status == 6)
+   {
+    first = 4 * 4;
+    share = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
+   }
+   note_pace(attempt, share, operation);
   }
   if (!((status == 5) && blocks(attempt, operation, known, work)))
   {
@@ -27248,10 +27350,10 @@ static void begin_swing(array_double_2d operation)
    (*cspan_at(&operation, 6 + axis, i)) = 0.0;
   }
  }
- (*cspan_at(&progress, 9)) = (*cspan_at(&progress, 9)) + 1.0;
+ (*cspan_at(&progress, 10)) = (*cspan_at(&progress, 10)) + 1.0;
  (*cspan_at(&progress, 1)) = 0;
  (*cspan_at(&progress, 3)) = 0.0;
- (*cspan_at(&progress, 6)) = 0.0;
+ (*cspan_at(&progress, 7)) = 0.0;
  (*cspan_at(&progress, 4)) = (*cspan_at(&operation, 0, 0));
  (*cspan_at(&progress, 5)) = 5;
  (*cspan_at(&operation, 32, 31)) = (*cspan_at(&operation, 0, 0));
@@ -27279,7 +27381,7 @@ static bool is_served(double elapsed, array_double_2d operation)
   result = holds_long_enough(elapsed, operation);
   return result;
  }
- if (((*cspan_at(&progress, 6)) > 0.0) || is_due(operation))
+ if (((*cspan_at(&progress, 7)) > 0.0) || is_due(operation))
  {
   return 0;
  }
@@ -27350,7 +27452,7 @@ bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_dou
  write_aim(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets);
  if (!is_aim(2, operation))
  {
-  (*cspan_at(&progress, 6)) = 0.0;
+  (*cspan_at(&progress, 7)) = 0.0;
  }
  if (is_served(elapsed, operation))
  {
@@ -27415,7 +27517,7 @@ double segfmu_next_operation(array_double_2d operation)
   result = (*cspan_at(&swing, 31));
   return result;
  }
- if (((*cspan_at(&progress, 3)) > 0.0) || ((*cspan_at(&progress, 6)) > 0.0))
+ if (((*cspan_at(&progress, 3)) > 0.0) || ((*cspan_at(&progress, 7)) > 0.0))
  {
   result = span_max((*cspan_at(&progress, 4)), (*cspan_at(&command, 0)) + 0.25 * (*cspan_at(&command, 14)));
   return result;

@@ -1,23 +1,53 @@
 """Which plans are tried for a command, one after the other.
 
-First as it is. Where bounds of the drives are in the way, more slowly built up; at last with a part
-of the velocity, along some axes alone, or a stop, also more slowly. What meets an obstacle is tried
+First as it is. Where bounds of the drives are in the way, more slowly built up, as slowly as what
+the plan asks of them tells (pace.py); at last with a part of the velocity, along some axes alone,
+or a stop, also more slowly. What meets an obstacle is tried
 once more with a way that ends before it, see ways.py.
 """
 
 from math import sqrt
 
-from segfmu.kernels.operation.records import Aim, Attempt, Known, Operation, OperationStatus
+from segfmu.kernels.operation.records import (
+    Aim,
+    Attempt,
+    Known,
+    Operation,
+    OperationStatus,
+    Progress,
+)
 from segfmu.kernels.planner.records import Lower
 
+# share of the pace that a failed plan tells, for what it does not: peaks between samples, and axes
+# that meet otherwise
+CLOSER = 0.98
+# pace of a plan that is built up as slowly as any, at most
+SLOWEST = 0.5
 
-def pace_of(attempt: int) -> float:
+
+def is_slower(attempt: int) -> bool:
+    """Whether a plan is built up more slowly than the limits permit."""
+    if attempt == Attempt.SLOWER or attempt == Attempt.SLOWEST:
+        return True
+    return attempt == Attempt.STOP_SLOWER or attempt == Attempt.STOP_SLOWEST
+
+
+def pace_of(attempt: int, operation: 'float[:,:]') -> float:
     """Pace of an attempt: limits of order i are pace^i of those given, from the acceleration on."""
-    if attempt == Attempt.SLOWER or attempt == Attempt.STOP_SLOWER:
-        return sqrt(0.5)
+    if not is_slower(attempt):
+        return 1.0
+    pace = operation[Operation.PROGRESS, Progress.PACE]
     if attempt == Attempt.SLOWEST or attempt == Attempt.STOP_SLOWEST:
-        return 0.5
-    return 1.0
+        pace = min(pace, SLOWEST)
+    return pace
+
+
+def note_pace(attempt: int, share: float, operation: 'float[:,:]') -> None:
+    """Note the pace of the next attempt, a share of that of a failed one; 1: it does not tell."""
+    less = sqrt(0.5)
+    if share < 1.0:
+        less = CLOSER * share
+    operation[Operation.PROGRESS, Progress.PACE] = less * pace_of(attempt, operation)
 
 
 def share_of(attempt: int, axis: int) -> float:
@@ -35,10 +65,8 @@ def share_of(attempt: int, axis: int) -> float:
 
 def is_worth(attempt: int, failed: int, aim: 'float[:]') -> bool:
     """Whether an attempt is worth while for an aim (Aim), after one that failed by a status."""
-    slows = attempt == Attempt.SLOWER or attempt == Attempt.SLOWEST
-    slows = slows or attempt == Attempt.STOP_SLOWER or attempt == Attempt.STOP_SLOWEST
     blocked = failed == OperationStatus.WORKSPACE or failed == OperationStatus.OBSTACLE
-    if slows and blocked:
+    if is_slower(attempt) and blocked:
         return False
     if attempt >= Attempt.STOP:
         return True
@@ -58,7 +86,7 @@ def set_attempt(
 
     Targets are planned with the scaled velocity; velocities are within it.
     """
-    pace = pace_of(attempt)
+    pace = pace_of(attempt, operation)
     scale = 1.0
     if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
         scale = operation[Operation.AIM, Aim.SCALE]

@@ -223,6 +223,11 @@ def write_reach(
     crane: `Resistance`, work: `OperationWork`. False if the rope may become slack.
     """
     write_load(begin, end, timing, coefficients, offsets, work)
+    return write_demands(crane, work)
+
+
+def write_demands(crane: 'float[:]', work: 'float[:,:]') -> bool:
+    """`write_reach`, where the ranges of the load are written."""
     reach = work[OperationWork.REACH:OperationWork.SIZE, :]
     pull = reach[Reach.PULL, :]
     set_range(crane[Resistance.GRAVITY], 0.0, pull)

@@ -184,6 +184,7 @@ class Progress(Record):
     ATTEMPT = field("which one the present plan is, see Attempt")
     RETRY = field("when a command that was not taken as it is is tried again", "s")
     MODE = field("of the last command")
+    PACE = field("of a plan that is built up more slowly, see attempts.py")
     NEXT = field("1 + the attempt with which the next step goes on, 0: with the first")
     FAILED = field("why the last attempt before that failed, see OperationStatus")
     BLOCKS = field("obstacles before which a way to be tried ends")

@@ -1,8 +1,15 @@
 """Plans that are tried for an aim in turn, until one is taken."""
 
 from segfmu.kernels.operation.aim import is_aim
-from segfmu.kernels.operation.attempts import is_worth, pace_of, set_attempt, share_of
+from segfmu.kernels.operation.attempts import (
+    is_slower,
+    is_worth,
+    note_pace,
+    set_attempt,
+    share_of,
+)
 from segfmu.kernels.operation.held import holds_long_enough, prolong_holds
+from segfmu.kernels.operation.pace import pace_within
 from segfmu.kernels.operation.plans import copy_plan
 from segfmu.kernels.operation.proof import prove_plan
 from segfmu.kernels.operation.records import (
@@ -67,6 +74,15 @@ def attempt_plans(
         if failed == OperationStatus.TAKEN and progress[Progress.BLOCKS] == 0.0:
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
+        if is_slower(attempt + 1):
+            share = 1.0
+            if status == OperationStatus.DRIVES:
+                first = Slot.TRIED * Slot.OFFSETS
+                share = pace_within(
+                    timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
+                    offsets[first:first + Slot.OFFSETS], known, work,
+                )
+            note_pace(attempt, share, operation)
         if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
             failed = status
             attempt = attempt + 1
@@ -182,7 +198,7 @@ def seek_plan(
     for axis in range(3):
         operation[Operation.WISH, axis] = aim[Aim.VALUE + axis]
         operation[Operation.SHARE, axis] = share_of(attempt, axis)
-    slow = pace_of(attempt) < 1.0 and attempt < Attempt.STOP
+    slow = is_slower(attempt) and attempt < Attempt.STOP
     return seek_velocity(
         slow, operation, limits[1, :, :], timing, coefficients, offsets, states, lead
     )
