@@ -881,6 +881,15 @@ def take_over_measured(
     /,
 ) -> int: ...
 
+def measure_phases(
+    phases: Floats,
+    count: int,
+    v: float,
+    within: float,
+    axis: Floats,
+    /,
+) -> tuple[float, float, float, float, float]: ...
+
 def axis_limits(
     smoothness: int,
     shape: int,
@@ -895,15 +904,6 @@ def ramp_parameters(
     work: Floats,
     /,
 ) -> bool: ...
-
-def measure_phases(
-    phases: Floats,
-    count: int,
-    v: float,
-    within: float,
-    axis: Floats,
-    /,
-) -> tuple[float, float, float, float, float]: ...
 
 def shortest_profile(
     problem: Floats,

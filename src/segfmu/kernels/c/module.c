@@ -3358,6 +3358,48 @@ static PyObject *call_take_over_measured(
     return answer;
 }
 
+static PyObject *call_measure_phases(
+    PyObject *self, PyObject *const *values, Py_ssize_t count)
+{
+    arguments call = {.function = "measure_phases", .values = values};
+    PyObject *answer = NULL;
+    Py_buffer *in_phases;
+    int64_t in_count;
+    double in_v;
+    double in_within;
+    Py_buffer *in_axis;
+    (void)self;
+    if (take_count(&call, count, 5)
+        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
+        && take_int(&call, 1, &in_count)
+        && take_float(&call, 2, &in_v)
+        && take_float(&call, 3, &in_within)
+        && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
+        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
+        && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
+        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
+        double result_0;
+        double result_1;
+        double result_2;
+        double result_3;
+        double result_4;
+        segfmu_measure_phases(
+            &result_0,
+            &result_1,
+            &result_2,
+            &result_3,
+            &result_4,
+            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
+            in_count,
+            in_v,
+            in_within,
+            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
+        answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
+    }
+    release_arguments(&call);
+    return answer;
+}
+
 static PyObject *call_axis_limits(
     PyObject *self, PyObject *const *values, Py_ssize_t count)
 {
@@ -3406,48 +3448,6 @@ static PyObject *call_ramp_parameters(
             in_share,
             (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
             (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
-    }
-    release_arguments(&call);
-    return answer;
-}
-
-static PyObject *call_measure_phases(
-    PyObject *self, PyObject *const *values, Py_ssize_t count)
-{
-    arguments call = {.function = "measure_phases", .values = values};
-    PyObject *answer = NULL;
-    Py_buffer *in_phases;
-    int64_t in_count;
-    double in_v;
-    double in_within;
-    Py_buffer *in_axis;
-    (void)self;
-    if (take_count(&call, count, 5)
-        && (in_phases = take_array(&call, 0, 2, 'd', false)) != NULL
-        && take_int(&call, 1, &in_count)
-        && take_float(&call, 2, &in_v)
-        && take_float(&call, 3, &in_within)
-        && (in_axis = take_array(&call, 4, 1, 'd', false)) != NULL
-        && has_at_least(&call, "phases", 0, in_phases->shape[0], in_count)
-        && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-        && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)) {
-        double result_0;
-        double result_1;
-        double result_2;
-        double result_3;
-        double result_4;
-        segfmu_measure_phases(
-            &result_0,
-            &result_1,
-            &result_2,
-            &result_3,
-            &result_4,
-            (array_double_2d){in_phases->buf, {in_phases->shape[0], in_phases->shape[1]}},
-            in_count,
-            in_v,
-            in_within,
-            (array_double_1d){in_axis->buf, {in_axis->shape[0]}});
-        answer = Py_BuildValue("(ddddd)", result_0, result_1, result_2, result_3, result_4);
     }
     release_arguments(&call);
     return answer;
@@ -5465,9 +5465,9 @@ static PyMethodDef methods[] = {
     {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
     {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
     {"take_over_measured", (PyCFunction)(void (*)(void))call_take_over_measured, METH_FASTCALL, NULL},
+    {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
     {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
-    {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
     {"shortest_profile", (PyCFunction)(void (*)(void))call_shortest_profile, METH_FASTCALL, NULL},
     {"find_brake", (PyCFunction)(void (*)(void))call_find_brake, METH_FASTCALL, NULL},
     {"plan_ends", (PyCFunction)(void (*)(void))call_plan_ends, METH_FASTCALL, NULL},

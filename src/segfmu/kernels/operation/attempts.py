@@ -6,8 +6,6 @@ or a stop, also more slowly. What meets an obstacle is tried
 once more with a way that ends before it, see ways.py.
 """
 
-from math import sqrt
-
 from segfmu.kernels.operation.records import (
     Aim,
     Attempt,
@@ -21,8 +19,8 @@ from segfmu.kernels.planner.records import Lower
 # share of the pace that a failed plan tells, for what it does not: peaks between samples, and axes
 # that meet otherwise
 CLOSER = 0.98
-# pace of a plan that is built up as slowly as any, at most
-SLOWEST = 0.5
+# pace over that of a plan which failed, where that tells none, or has been told one before
+CALMER = 0.7
 
 
 def is_slower(attempt: int) -> bool:
@@ -34,20 +32,22 @@ def is_slower(attempt: int) -> bool:
 
 def pace_of(attempt: int, operation: 'float[:,:]') -> float:
     """Pace of an attempt: limits of order i are pace^i of those given, from the acceleration on."""
-    if not is_slower(attempt):
-        return 1.0
-    pace = operation[Operation.PROGRESS, Progress.PACE]
-    if attempt == Attempt.SLOWEST or attempt == Attempt.STOP_SLOWEST:
-        pace = min(pace, SLOWEST)
-    return pace
+    if is_slower(attempt):
+        return operation[Operation.PROGRESS, Progress.PACE]
+    return 1.0
 
 
-def note_pace(attempt: int, share: float, operation: 'float[:,:]') -> None:
-    """Note the pace of the next attempt, a share of that of a failed one; 1: it does not tell."""
-    less = sqrt(0.5)
-    if share < 1.0:
-        less = CLOSER * share
-    operation[Operation.PROGRESS, Progress.PACE] = less * pace_of(attempt, operation)
+def note_pace(attempt: int, told: float, operation: 'float[:,:]') -> None:
+    """Note the pace of the next attempt; told: the share that the plan of the last one tells.
+
+    1 if it tells none.
+    """
+    share = CALMER
+    if told < 1.0 and not is_slower(attempt):
+        share = CLOSER * told
+    elif told < 1.0:
+        share = min(CALMER, CLOSER * told)
+    operation[Operation.PROGRESS, Progress.PACE] = share * pace_of(attempt, operation)
 
 
 def share_of(attempt: int, axis: int) -> float:

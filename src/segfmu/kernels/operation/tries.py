@@ -29,6 +29,7 @@ from segfmu.kernels.operation.ways import (
     end_before_obstacle,
     keep_ways,
     open_ways,
+    rests_short,
 )
 
 
@@ -39,6 +40,13 @@ def is_prolonged(operation: 'float[:,:]') -> bool:
     if progress[Progress.NEXT] > 0.0 or not is_aim(Operation.TAKEN, operation):
         return False
     return attempt == Attempt.FULL or attempt == Attempt.BLOCKED
+
+
+def keeps_blocked(operation: 'float[:,:]') -> bool:
+    """Whether nothing is gained beside the present plan, which ends before the same obstacle."""
+    if not is_prolonged(operation) or not are_ways_kept(operation):
+        return False
+    return not rests_short(operation)
 
 
 def attempt_plans(
@@ -75,18 +83,18 @@ def attempt_plans(
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
         if is_slower(attempt + 1):
-            share = 1.0
+            told = 1.0
             if status == OperationStatus.DRIVES:
                 first = Slot.TRIED * Slot.OFFSETS
-                share = pace_within(
+                told = pace_within(
                     timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
                     offsets[first:first + Slot.OFFSETS], known, work,
                 )
-            note_pace(attempt, share, operation)
+            note_pace(attempt, told, operation)
         if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
             failed = status
             attempt = attempt + 1
-        elif is_prolonged(operation) and are_ways_kept(operation):
+        elif keeps_blocked(operation):
             progress[Progress.STATUS] = OperationStatus.REDUCED
             note_taken(int(Attempt.BLOCKED), operation)
             if holds_until_next(operation):

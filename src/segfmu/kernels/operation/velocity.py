@@ -10,10 +10,13 @@ from segfmu.kernels.operation.held import hold_shares, join_held, room_left
 from segfmu.kernels.operation.plans import clear_plan
 from segfmu.kernels.operation.records import Operation, Slot
 from segfmu.kernels.planner.records import Shape, WaypointState
+from segfmu.kernels.settling.attempt import part_hull
 from segfmu.kernels.settling.leads import find_leads
 from segfmu.kernels.settling.records import LeadEnd, LeadStage, LeadTask, LeadWork
-from segfmu.kernels.trajectory.evaluate import evaluate_piece
-from segfmu.kernels.trajectory.records import Timing
+from segfmu.kernels.trajectory.records import Check, Timing
+
+# parts of a piece in which its velocity is bounded
+PARTS = 8
 
 
 def lead_to_velocity(lead: 'float[:,:]') -> None:
@@ -145,7 +148,7 @@ def shrink_share(axis: int, last: bool, operation: 'float[:,:]') -> bool:
 
 def goes_back(
     axis: int, operation: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
+    offsets: 'int[:]', lead: 'float[:,:]',
 ) -> bool:
     """Whether the lead of an axis moves against its velocity and that which it begins with."""
     now = operation[Operation.NOW + axis, WaypointState.VELOCITY]
@@ -155,13 +158,15 @@ def goes_back(
     direction = now + wish
     leads = Slot.LEADS * Slot.OFFSETS + axis
     for row in range(offsets[leads], offsets[leads + 1]):
-        velocity = evaluate_piece(
-            coefficients[Slot.LEADS, :, :], row, coefficients.shape[2],
-            timing[Slot.LEADS, row, Timing.LENGTH], 1,
-        )
-        # beyond rounding
-        if velocity * direction < -1e-6 * direction * direction:
-            return True
+        step = timing[Slot.LEADS, row, Timing.LENGTH] / PARTS
+        for part in range(PARTS):
+            # the velocity is within the hull of these values
+            count = part_hull(1, row, part * step, step, lead, coefficients[Slot.LEADS, :, :])
+            for i in range(count):
+                velocity = lead[LeadWork.CHECK + Check.HULLS, i]
+                # beyond rounding
+                if velocity * direction < -1e-6 * direction * direction:
+                    return True
     return False
 
 
@@ -183,7 +188,7 @@ def reach_velocities(
                 axis, operation, limits, timing, coefficients, offsets, states, lead
             ):
                 return False
-            if slow and goes_back(axis, operation, timing, coefficients, offsets):
+            if slow and goes_back(axis, operation, timing, coefficients, offsets, lead):
                 return False
             if not stop_behind(
                 axis, operation, limits, timing, coefficients, offsets, states, lead

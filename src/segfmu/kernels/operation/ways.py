@@ -37,6 +37,23 @@ def keep_ways(operation: 'float[:,:]') -> None:
             operation[Operation.WAYS + axis, i] = operation[Operation.TRIED_WAYS + axis, i]
 
 
+def rests_short(operation: 'float[:,:]') -> bool:
+    """Whether an axis that the command moves rests before the end of its way."""
+    for axis in range(3):
+        now = operation[Operation.NOW + axis, :]
+        end = now[WaypointState.POSITION]
+        if operation[Operation.WISH, axis] > 0.0:
+            end = operation[Operation.TRIED_WAYS + axis, Way.HIGH]
+        elif operation[Operation.WISH, axis] < 0.0:
+            end = operation[Operation.TRIED_WAYS + axis, Way.LOW]
+        # what is left by rounding is nothing to go
+        left = abs(end - now[WaypointState.POSITION]) - 2.0 * end_rounding_of(end)
+        resting = now[WaypointState.VELOCITY] == 0.0 and now[WaypointState.ACCELERATION] == 0.0
+        if resting and left > 0.0:
+            return True
+    return False
+
+
 def end_before_obstacle(
     operation: 'float[:,:]', known: 'float[:,:]', work: 'float[:,:]'
 ) -> bool:
