@@ -23,6 +23,7 @@ from segfmu import (
     Waypoint,
     load_mission,
     plan,
+    plan_actuated,
 )
 from segfmu.crane import Friction
 from segfmu.kernels import backend
@@ -448,6 +449,25 @@ def test_drives_that_are_too_weak_make_the_motion_slower() -> None:
     assert operator.load[1, 0] == pytest.approx(0.3)
     assert np.abs(needs(LAB.crane, motion[:, 0], 0.01)["acceleration"]).max() < 0.51
     assert operator.refused == "drives"
+
+
+def test_targets_take_little_longer_than_the_shortest_plan_within_the_drives() -> None:
+    # the shortest one by a search over the limits; half of the targets are too much for the drives
+    rng = np.random.default_rng(9)
+    low, high = (np.asarray(end) for end in (PORT.clearance.minimum, PORT.clearance.maximum))
+    ratios = []
+    while len(ratios) < 8:
+        target = low + (high - low) * rng.uniform(0.1, 0.9, 3)
+        operator = Operator(PORT.crane, PORT.limits, PORT.start, bounds=PORT.bounds)
+        operator.command("target", target=target)
+        follow(operator, 2.0, PORT.step)
+        if operator.refused != "drives":
+            continue
+        shortest = plan_actuated(
+            PORT.crane, [Waypoint(PORT.start), Waypoint(target)], PORT.limits, PORT.bounds
+        ).trajectory.duration
+        ratios.append(operator.rests_at / shortest)
+    assert np.mean(ratios) < 1.12 and max(ratios) < 1.25
 
 
 def test_the_setpoint_of_a_slow_drive_keeps_its_velocity() -> None:
