@@ -392,7 +392,7 @@ static void write_aim(array_double_2d operation, array_double_2d limits, array_d
 static bool is_aim(int64_t row, array_double_2d operation);
 static bool is_slower(int64_t attempt);
 static double pace_of(int64_t attempt, array_double_2d operation);
-static void note_pace(int64_t attempt, double share, array_double_2d operation);
+static void note_pace(int64_t attempt, double told, array_double_2d operation);
 static double share_of(int64_t attempt, int64_t axis);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
@@ -537,33 +537,6 @@ static void write_measured(array_double_2d operation, array_double_2d known, arr
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static bool keeps_at(double pace, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static double pace_within(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static double side_limit(int64_t order, double sign, array_double_1d axis);
-static double own_side(int64_t order, double sign, array_double_1d axis);
-static void set_lower(array_double_1d lower, array_double_1d axis);
-static double fastest_velocity(array_double_1d axis);
-static double slowest_velocity(array_double_1d axis);
-static double top_acceleration(array_double_1d axis);
-static bool is_beyond(double low, double high, double share, array_double_1d axis);
-static void exchange_sides(int64_t order, array_double_1d axis);
-static void reverse_axis(array_double_1d axis);
-static void mirror_axis(array_double_1d axis);
-static double usual_share(array_double_1d axis);
-static double steeper_above(void);
-static double moderate_share(void);
-static double steepest_share(void);
-static bool ramps_suffice(array_double_1d axis);
-static bool snap_is_last(array_double_1d axis);
-static double saving(array_double_1d axis);
-static bool plateau_parameters(double share, array_double_1d axis);
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
-static double shortest_scale(int64_t order, array_double_1d limits);
-static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits);
-static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits);
-static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains);
-static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
-static bool is_outside(array_double_1d limits, array_double_2d lead);
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
 static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
@@ -579,6 +552,16 @@ static double taylor(double t, double first, double second, double third, double
 static double crossing_time(double a, double length, double jerk, double snap, double crackle, double pop, double highest);
 static double plateau_extreme_velocity(double v, double a, double change, double duration, double basis, array_double_1d axis);
 static double ramp_extreme_velocity(double v, double a, double b, double duration, double basis, array_double_1d axis);
+static double side_limit(int64_t order, double sign, array_double_1d axis);
+static double own_side(int64_t order, double sign, array_double_1d axis);
+static void set_lower(array_double_1d lower, array_double_1d axis);
+static double fastest_velocity(array_double_1d axis);
+static double slowest_velocity(array_double_1d axis);
+static double top_acceleration(array_double_1d axis);
+static bool is_beyond(double low, double high, double share, array_double_1d axis);
+static void exchange_sides(int64_t order, array_double_1d axis);
+static void reverse_axis(array_double_1d axis);
+static void mirror_axis(array_double_1d axis);
 static double flush_tiny(double value, double scale);
 static double boundary_value(double value, double lower, double upper);
 static int64_t append_phase(array_double_2d phases, int64_t count, double duration, double basis, double start, double change, double above);
@@ -613,6 +596,15 @@ static int64_t level_from(double* result_0_0001, double* result_1_0001, double* 
 static double set_point(double place, double radius, array_double_1d family, array_double_1d axis);
 static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
+static double usual_share(array_double_1d axis);
+static double steeper_above(void);
+static double moderate_share(void);
+static double steepest_share(void);
+static bool ramps_suffice(array_double_1d axis);
+static bool snap_is_last(array_double_1d axis);
+static double saving(array_double_1d axis);
+static bool plateau_parameters(double share, array_double_1d axis);
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks);
 static double window_edge(double inside, double outside, array_double_1d family, array_double_1d axis);
 static int64_t canonical_value(double* result_0_0001, double* result_1, double p, array_double_1d family, array_double_1d axis);
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis);
@@ -814,6 +806,11 @@ static bool may_last_longer(array_double_1d problem, array_double_1d axis);
 static int64_t oriented_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work);
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work);
+static double shortest_scale(int64_t order, array_double_1d limits);
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits);
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits);
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains);
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients);
 static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain);
 static void set_stage_problem(int64_t order, double end, array_double_1d state, array_double_1d problem);
 static int64_t stage_phases(int64_t order, double end, bool free, array_double_2d lead);
@@ -832,6 +829,9 @@ static double time_crossed(int64_t order, int64_t row, double lower, double uppe
 static int64_t inside_from(int64_t* result_0_0001, double* result_1_0001, int64_t order, int64_t first, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2_0001, int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead);
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead);
+static bool is_outside(array_double_1d limits, array_double_2d lead);
 static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void end_brake(double until, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void append_pieces(double until, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -911,7 +911,7 @@ static bool lead_of(int64_t axis, int64_t source, int64_t slot, array_double_2d 
 static bool reach_velocity(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool shrink_share(int64_t axis, bool last, array_double_2d operation);
-static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d lead);
 static bool reach_velocities(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
@@ -997,10 +997,12 @@ static bool seek_target(array_double_2d operation, array_double_3d limits, array
 static void open_ways(array_double_2d operation, array_double_2d known);
 static bool are_ways_kept(array_double_2d operation);
 static void keep_ways(array_double_2d operation);
+static bool rests_short(array_double_2d operation);
 static double depth_towards(int64_t axis, double low, double high, double place, array_double_2d operation);
 static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
+static bool keeps_blocked(array_double_2d operation);
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
 static bool is_passed_over(int64_t attempt, int64_t failed, array_double_2d operation);
@@ -11910,27 +11912,27 @@ static bool is_slower(int64_t attempt)
 }
 static double pace_of(int64_t attempt, array_double_2d operation)
 {
- double pace;
- if (!is_slower(attempt))
+ double result;
+ if (is_slower(attempt))
  {
-  return 1.0;
+  result = (*cspan_at(&operation, 4, 6));
+  return result;
  }
- pace = (*cspan_at(&operation, 4, 6));
- if ((attempt == 2) || (attempt == 8))
- {
-  pace = span_min(pace, 0.5);
- }
- return pace;
+ return 1.0;
 }
-static void note_pace(int64_t attempt, double share, array_double_2d operation)
+static void note_pace(int64_t attempt, double told, array_double_2d operation)
 {
- double less;
- less = sqrt(0.5);
- if (share < 1.0)
+ double share;
+ share = 0.7;
+ if ((told < 1.0) && (!is_slower(attempt)))
  {
-  less = 0.98 * share;
+  share = 0.98 * told;
  }
- (*cspan_at(&operation, 4, 6)) = less * pace_of(attempt, operation);
+ else if (told < 1.0)
+ {
+  share = span_min(0.7, 0.98 * told);
+ }
+ (*cspan_at(&operation, 4, 6)) = share * pace_of(attempt, operation);
 }
 static double share_of(int64_t attempt, int64_t axis)
 {
@@ -15199,483 +15201,6 @@ static double pace_within(array_double_2d timing, array_double_2d coefficients, 
  }
  return pace;
 }
-static double side_limit(int64_t order, double sign, array_double_1d axis)
-{
- double result;
- if ((order <= 2) && (sign < 0.0))
- {
-  result = (*cspan_at(&axis, 9 + order - 1));
-  return result;
- }
- result = (*cspan_at(&axis, 2 + order - 1));
- return result;
-}
-static double own_side(int64_t order, double sign, array_double_1d axis)
-{
- if ((sign < 0.0) && (fabs(side_limit(order, sign, axis) - side_limit(order, 1.0, axis)) > 0.0))
- {
-  return 1.0;
- }
- return 0.0;
-}
-static void set_lower(array_double_1d lower, array_double_1d axis)
-{
- int64_t i;
- for (i = 0; i < 2; i += 1)
- {
-  if ((*cspan_at(&lower, i)) > 0.0)
-  {
-   (*cspan_at(&axis, 9 + i)) = (*cspan_at(&lower, i));
-  }
- }
-}
-static double fastest_velocity(array_double_1d axis)
-{
- double result;
- result = span_max((*cspan_at(&axis, 2)), (*cspan_at(&axis, 9)));
- return result;
-}
-static double slowest_velocity(array_double_1d axis)
-{
- double result;
- result = span_min((*cspan_at(&axis, 2)), (*cspan_at(&axis, 9)));
- return result;
-}
-static double top_acceleration(array_double_1d axis)
-{
- double result;
- result = span_max((*cspan_at(&axis, 3)), (*cspan_at(&axis, 9 + 1)));
- return result;
-}
-static bool is_beyond(double low, double high, double share, array_double_1d axis)
-{
- bool result;
- result = (low < (-(*cspan_at(&axis, 9))) * share) || (high > (*cspan_at(&axis, 2)) * share);
- return result;
-}
-static void exchange_sides(int64_t order, array_double_1d axis)
-{
- double kept;
- kept = (*cspan_at(&axis, 2 + order - 1));
- (*cspan_at(&axis, 2 + order - 1)) = (*cspan_at(&axis, 9 + order - 1));
- (*cspan_at(&axis, 9 + order - 1)) = kept;
-}
-static void reverse_axis(array_double_1d axis)
-{
- exchange_sides(2, axis);
-}
-static void mirror_axis(array_double_1d axis)
-{
- exchange_sides(1, axis);
- exchange_sides(2, axis);
-}
-void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
-{
- int64_t i;
- for (i = 0; i < 50; i += 1)
- {
-  (*cspan_at(&axis, i)) = 0.0;
- }
- (*cspan_at(&axis, 0)) = smoothness;
- (*cspan_at(&axis, 1)) = shape;
- for (i = 0; i < smoothness + 1; i += 1)
- {
-  (*cspan_at(&axis, 2 + i)) = (*cspan_at(&limits, i));
- }
- for (i = 0; i < 2; i += 1)
- {
-  (*cspan_at(&axis, 9 + i)) = (*cspan_at(&limits, i));
- }
-}
-static double usual_share(array_double_1d axis)
-{
- int64_t raised;
- raised = (int64_t)((*cspan_at(&axis, 11)));
- if (((*cspan_at(&axis, 0)) + raised == 4.0) && (raised < 2) && ((*cspan_at(&axis, 4 + 1 - raised)) > 0.0))
- {
-  return 0.5 * 0.1;
- }
- return 0.1;
-}
-static double steeper_above(void)
-{
- return 0.2;
-}
-static double moderate_share(void)
-{
- return 0.2 * 0.1;
-}
-static double steepest_share(void)
-{
- return 0.2 * moderate_share();
-}
-static bool ramps_suffice(array_double_1d axis)
-{
- bool result;
- result = (*cspan_at(&axis, 21 + 1)) == 0.0;
- return result;
-}
-static bool snap_is_last(array_double_1d axis)
-{
- bool result;
- result = ((*cspan_at(&axis, 26)) == 0.0) && ramps_suffice(axis);
- return result;
-}
-static double saving(array_double_1d axis)
-{
- double result;
- result = 0.6 * (*cspan_at(&axis, 26 + 1));
- return result;
-}
-static bool plateau_parameters(double share, array_double_1d axis)
-{
- int64_t boxes, last, level, i;
- double limit, rise, slope, time, variance, fourth, jerk;
- boxes = (int64_t)((*cspan_at(&axis, 0))) - 1;
- (*cspan_at(&axis, 14)) = 1.0;
- last = -1;
- for (level = 0; level < boxes; level += 1)
- {
-  if ((*cspan_at(&axis, 4 + level)) > 0.0)
-  {
-   last = level;
-  }
- }
- if (last < 0)
- {
-  return 0;
- }
- (*cspan_at(&axis, 38)) = span_min_int(span_floor_div((last + 1), 2), 2);
- for (level = 0; level < boxes - 1; level += 1)
- {
-  if ((level > 0) || (last == 0))
-  {
-   (*cspan_at(&axis, 26 + level)) = share;
-   if (level > last)
-   {
-    (*cspan_at(&axis, 26 + level)) = span_max(share, usual_share(axis));
-   }
-   if ((level + (*cspan_at(&axis, 11)) == 2.0) && (last + (*cspan_at(&axis, 11)) >= 2.0))
-   {
-    (*cspan_at(&axis, 26 + level)) = steeper_above() * share;
-   }
-  }
- }
- for (i = 0; i < last; i += 1)
- {
-  level = last - 1 - i;
-  limit = (*cspan_at(&axis, 4 + level));
-  rise = 1e+60;
-  if (limit > 0.0)
-  {
-   plateau_duration(&rise, &slope, limit, level + 1, axis);
-  }
-  (*cspan_at(&axis, 21 + level)) = rise;
- }
- if (last == 1)
- {
-  (*cspan_at(&axis, 20)) = 0.25 * (*cspan_at(&axis, 4 + 1)) * (1.0 - (*cspan_at(&axis, 26 + 1)));
-  (*cspan_at(&axis, 19)) = 1.0 / (*cspan_at(&axis, 20));
- }
- if (last <= 1)
- {
-  time = 1.0;
-  if (last == 1)
-  {
-   time = (*cspan_at(&axis, 21));
-  }
-  rise_moments(&variance, &fourth, time, 0, axis);
-  (*cspan_at(&axis, 36)) = variance / (time * time);
- }
- jerk = (*cspan_at(&axis, 4));
- if (jerk > 0.0)
- {
-  rise = (*cspan_at(&axis, 21));
-  (*cspan_at(&axis, 15)) = jerk * rise;
-  (*cspan_at(&axis, 17)) = jerk * (1.0 - (*cspan_at(&axis, 26)));
-  (*cspan_at(&axis, 16)) = 1.0 / (*cspan_at(&axis, 17));
-  (*cspan_at(&axis, 18)) = rise;
-  if (rise > 0.0)
-  {
-   rise_moments(cspan_at(&axis, 37), &fourth, rise, 1, axis);
-  }
- }
- return 1;
-}
-static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
-{
- int64_t k, j, e;
- double limit, slope, change;
- bool bounded;
- k = (int64_t)((*cspan_at(&axis, 0))) - 2;
- bounded = 0;
- transition_peaks(k, psi, peaks);
- (*cspan_at(&axis, 39)) = 2.0 * k + 2.0;
- for (j = 0; j < 2 * k + 2; j += 1)
- {
-  (*cspan_at(&axis, 40 + j)) = (*cspan_at(&psi, j));
- }
- (*cspan_at(&axis, 36)) = 1.0 / (4.0 * (2 * k + 3));
- for (j = 1; j < k + 2; j += 1)
- {
-  limit = (*cspan_at(&axis, 4 + j - 1));
-  if (limit > 0.0)
-  {
-   (*cspan_at(&axis, 31 + j - 1)) = (*cspan_at(&peaks, j)) / limit;
-   bounded = 1;
-  }
- }
- slope = (*cspan_at(&axis, 31));
- if (slope > 0.0)
- {
-  (*cspan_at(&axis, 15)) = 0.0;
-  (*cspan_at(&axis, 16)) = slope;
-  (*cspan_at(&axis, 17)) = 1.0 / slope;
-  for (e = 2; e < k + 2; e += 1)
-  {
-   change = pow(((*cspan_at(&axis, 31 + e - 1)) / pow(slope, (double)(e))), (1.0 / (e - 1)));
-   (*cspan_at(&axis, 15)) = span_max((*cspan_at(&axis, 15)), change);
-  }
- }
- return bounded;
-}
-bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
-{
- int64_t i;
- double duration, slope;
- bool bounded;
- for (i = 13; i < 50; i += 1)
- {
-  (*cspan_at(&axis, i)) = 0.0;
- }
- (*cspan_at(&axis, 15)) = 1e+300;
- bounded = 0;
- if ((int64_t)((*cspan_at(&axis, 1))) == 1)
- {
-  bounded = plateau_parameters(share, axis);
- }
- else
- {
-  bounded = smoothstep_parameters(axis, span_row(&work, 0), span_row(&work, 1));
- }
- if (bounded)
- {
-  segfmu_ramp_duration(&duration, &slope, top_acceleration(axis), axis);
-  (*cspan_at(&axis, 13)) = duration;
- }
- return bounded;
-}
-static double shortest_scale(int64_t order, array_double_1d limits)
-{
- int64_t below;
- double scale;
- scale = (*cspan_at(&limits, order - 1)) / (*cspan_at(&limits, order));
- for (below = 1; below < order - 1; below += 1)
- {
-  scale = span_min(scale, pow(((*cspan_at(&limits, below)) / (*cspan_at(&limits, order))), (1.0 / (order - below))));
- }
- return scale;
-}
-static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
-{
- double below, bound, growth, result;
- int64_t highest, top, above, given;
- below = (*cspan_at(&limits, order - 1));
- highest = (int64_t)((*cspan_at(&axis, 0))) + 1;
- top = 2;
- for (above = order + 1; above < highest + 1; above += 1)
- {
-  bound = (*cspan_at(&axis, 2 + above - 1));
-  if (bound > 0.0)
-  {
-   return 2.0 * below * pow((bound / below), (1.0 / (above - order + 1)));
-  }
- }
- for (given = 3; given < order; given += 1)
- {
-  if ((*cspan_at(&axis, 2 + given - 1)) > 0.0)
-  {
-   top = given;
-  }
- }
- growth = pow(steep, (1.0 / (highest - top))) / usual_share(axis);
- result = growth * below / shortest_scale(order - 1, limits);
- return result;
-}
-static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
-{
- int64_t smoothness, order;
- double bound, room, needed;
- smoothness = (int64_t)((*cspan_at(&axis, 0)));
- for (order = 1; order < smoothness + 2; order += 1)
- {
-  (*cspan_at(&limits, order)) = (*cspan_at(&axis, 2 + order - 1));
-  if ((*cspan_at(&limits, order)) <= 0.0)
-  {
-   bound = natural_limit(order, steep, axis, limits);
-   if (order <= smoothness)
-   {
-    bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
-   }
-   room = span_max((*cspan_at(&limits, order - 2)) - fabs((*cspan_at(&state, order - 2))), 0.0);
-   needed = (*cspan_at(&state, order - 1)) * (*cspan_at(&state, order - 1));
-   if (needed > room * 10000.0 * bound)
-   {
-    bound = 10000.0 * bound;
-   }
-   else if (needed > room * bound)
-   {
-    bound = needed / room;
-   }
-   (*cspan_at(&limits, order)) = bound;
-  }
- }
-}
-static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
-{
- int64_t smoothness, order, i;
- array_double_1d chain;
- smoothness = (int64_t)((*cspan_at(&axis, 0)));
- for (order = 0; order < smoothness - 1; order += 1)
- {
-  chain = span_row(&chains, order);
-  for (i = 0; i < 50; i += 1)
-  {
-   (*cspan_at(&chain, i)) = 0.0;
-  }
-  (*cspan_at(&chain, 0)) = smoothness - order;
-  (*cspan_at(&chain, 1)) = 1;
-  (*cspan_at(&chain, 11)) = order;
-  for (i = 0; i < smoothness - order + 1; i += 1)
-  {
-   (*cspan_at(&chain, 2 + i)) = (*cspan_at(&axis, 2 + order + i));
-   if (i <= 2)
-   {
-    (*cspan_at(&chain, 2 + i)) = (*cspan_at(&limits, order + 1 + i));
-   }
-  }
-  (*cspan_at(&chain, 9)) = (*cspan_at(&chain, 2));
-  (*cspan_at(&chain, 9 + 1)) = (*cspan_at(&chain, 3));
-  if (order == 0)
-  {
-   (*cspan_at(&chain, 9)) = (*cspan_at(&axis, 9));
-   (*cspan_at(&chain, 9 + 1)) = (*cspan_at(&axis, 9 + 1));
-  }
-  else if (order == 1)
-  {
-   (*cspan_at(&chain, 9)) = (*cspan_at(&axis, 9 + 1));
-  }
-  segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - 1, smoothness + 1));
- }
-}
-static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
-{
- int64_t width, row, j, i, m;
- double value, factorial, length;
- width = coefficients.shape[1];
- for (row = first; row < last; row += 1)
- {
-  for (j = 0; j < width - order; j += 1)
-  {
-   i = width - 1 - j;
-   value = (*cspan_at(&coefficients, row, i - order));
-   for (m = 0; m < order; m += 1)
-   {
-    value = value / (i - m);
-   }
-   (*cspan_at(&coefficients, row, i)) = value;
-  }
-  factorial = 1.0;
-  for (i = 0; i < order; i += 1)
-  {
-   if (i > 0)
-   {
-    factorial = factorial * i;
-   }
-   (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
-  }
-  for (i = 0; i < order; i += 1)
-  {
-   length = (*cspan_at(&timing, row, 1));
-   (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
-  }
- }
-}
-static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
-{
- int64_t smoothness, i;
- array_double_1d axis, state;
- smoothness = limits.shape[0] - 1;
- axis = span_row(&lead, 59);
- state = span_row(&lead, 16);
- segfmu_axis_limits(smoothness, 1, limits, axis);
- set_lower(span_row(&lead, 60), axis);
- for (i = loose; i < smoothness + 1; i += 1)
- {
-  if ((*cspan_at(&limits, i - 1)) > 0.0)
-  {
-   (*cspan_at(&axis, 2 + i - 1)) = span_max((*cspan_at(&limits, i - 1)), fabs((*cspan_at(&lead, 7, i))));
-  }
- }
- if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, 61, 68)))
- {
-  return 0;
- }
- for (i = 0; i < 9; i += 1)
- {
-  (*cspan_at(&state, i)) = 0.0;
- }
- for (i = 1; i < smoothness + 1; i += 1)
- {
-  (*cspan_at(&lead, 20, i)) = rounding_error(i, limits);
-  if ((*cspan_at(&limits, i - 1)) <= 0.0)
-  {
-   (*cspan_at(&state, i)) = (*cspan_at(&lead, 7, i));
-  }
- }
- chain_limits(steep, axis, state, span_row(&lead, 19));
- set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 68));
- for (i = 1; i < smoothness + 2; i += 1)
- {
-  (*cspan_at(&lead, 12, i)) = -(*cspan_at(&lead, 19, i));
-  if (i <= 2)
-  {
-   (*cspan_at(&lead, 12, i)) = -(*cspan_at(&axis, 9 + i - 1));
-  }
-  (*cspan_at(&lead, 13, i)) = (*cspan_at(&lead, 19, i));
- }
- return 1;
-}
-static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
-{
- double result;
- if ((order <= 2) && ((*cspan_at(&lead, 60, order - 1)) > 0.0))
- {
-  result = (*cspan_at(&lead, 60, order - 1));
-  return result;
- }
- result = (*cspan_at(&limits, order - 1));
- return result;
-}
-static bool is_outside(array_double_1d limits, array_double_2d lead)
-{
- int64_t i;
- double value, bound;
- for (i = 1; i < limits.shape[0]; i += 1)
- {
-  value = (*cspan_at(&lead, 7, i));
-  bound = (*cspan_at(&limits, i - 1));
-  if (value < 0.0)
-  {
-   bound = lower_limit(i, limits, lead);
-  }
-  if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
-  {
-   return 1;
-  }
- }
- return 0;
-}
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis)
 {
  double first, slope, last;
@@ -16125,6 +15650,76 @@ static double ramp_extreme_velocity(double v, double a, double b, double duratio
  s = invert_curved_part((-first) / change, 0.5, axis);
  curved_part(&value, &slope, &integral, s, axis);
  return start + duration * (first * s + change * integral);
+}
+static double side_limit(int64_t order, double sign, array_double_1d axis)
+{
+ double result;
+ if ((order <= 2) && (sign < 0.0))
+ {
+  result = (*cspan_at(&axis, 9 + order - 1));
+  return result;
+ }
+ result = (*cspan_at(&axis, 2 + order - 1));
+ return result;
+}
+static double own_side(int64_t order, double sign, array_double_1d axis)
+{
+ if ((sign < 0.0) && (fabs(side_limit(order, sign, axis) - side_limit(order, 1.0, axis)) > 0.0))
+ {
+  return 1.0;
+ }
+ return 0.0;
+}
+static void set_lower(array_double_1d lower, array_double_1d axis)
+{
+ int64_t i;
+ for (i = 0; i < 2; i += 1)
+ {
+  if ((*cspan_at(&lower, i)) > 0.0)
+  {
+   (*cspan_at(&axis, 9 + i)) = (*cspan_at(&lower, i));
+  }
+ }
+}
+static double fastest_velocity(array_double_1d axis)
+{
+ double result;
+ result = span_max((*cspan_at(&axis, 2)), (*cspan_at(&axis, 9)));
+ return result;
+}
+static double slowest_velocity(array_double_1d axis)
+{
+ double result;
+ result = span_min((*cspan_at(&axis, 2)), (*cspan_at(&axis, 9)));
+ return result;
+}
+static double top_acceleration(array_double_1d axis)
+{
+ double result;
+ result = span_max((*cspan_at(&axis, 3)), (*cspan_at(&axis, 9 + 1)));
+ return result;
+}
+static bool is_beyond(double low, double high, double share, array_double_1d axis)
+{
+ bool result;
+ result = (low < (-(*cspan_at(&axis, 9))) * share) || (high > (*cspan_at(&axis, 2)) * share);
+ return result;
+}
+static void exchange_sides(int64_t order, array_double_1d axis)
+{
+ double kept;
+ kept = (*cspan_at(&axis, 2 + order - 1));
+ (*cspan_at(&axis, 2 + order - 1)) = (*cspan_at(&axis, 9 + order - 1));
+ (*cspan_at(&axis, 9 + order - 1)) = kept;
+}
+static void reverse_axis(array_double_1d axis)
+{
+ exchange_sides(2, axis);
+}
+static void mirror_axis(array_double_1d axis)
+{
+ exchange_sides(1, axis);
+ exchange_sides(2, axis);
 }
 static double flush_tiny(double value, double scale)
 {
@@ -16837,6 +16432,202 @@ static bool slow_middle(double place, double radius, array_double_1d family, arr
  }
  (*cspan_at(&family, 33)) = stretch;
  return stretch >= 1.0;
+}
+void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis)
+{
+ int64_t i;
+ for (i = 0; i < 50; i += 1)
+ {
+  (*cspan_at(&axis, i)) = 0.0;
+ }
+ (*cspan_at(&axis, 0)) = smoothness;
+ (*cspan_at(&axis, 1)) = shape;
+ for (i = 0; i < smoothness + 1; i += 1)
+ {
+  (*cspan_at(&axis, 2 + i)) = (*cspan_at(&limits, i));
+ }
+ for (i = 0; i < 2; i += 1)
+ {
+  (*cspan_at(&axis, 9 + i)) = (*cspan_at(&limits, i));
+ }
+}
+static double usual_share(array_double_1d axis)
+{
+ int64_t raised;
+ raised = (int64_t)((*cspan_at(&axis, 11)));
+ if (((*cspan_at(&axis, 0)) + raised == 4.0) && (raised < 2) && ((*cspan_at(&axis, 4 + 1 - raised)) > 0.0))
+ {
+  return 0.5 * 0.1;
+ }
+ return 0.1;
+}
+static double steeper_above(void)
+{
+ return 0.2;
+}
+static double moderate_share(void)
+{
+ return 0.2 * 0.1;
+}
+static double steepest_share(void)
+{
+ return 0.2 * moderate_share();
+}
+static bool ramps_suffice(array_double_1d axis)
+{
+ bool result;
+ result = (*cspan_at(&axis, 21 + 1)) == 0.0;
+ return result;
+}
+static bool snap_is_last(array_double_1d axis)
+{
+ bool result;
+ result = ((*cspan_at(&axis, 26)) == 0.0) && ramps_suffice(axis);
+ return result;
+}
+static double saving(array_double_1d axis)
+{
+ double result;
+ result = 0.6 * (*cspan_at(&axis, 26 + 1));
+ return result;
+}
+static bool plateau_parameters(double share, array_double_1d axis)
+{
+ int64_t boxes, last, level, i;
+ double limit, rise, slope, time, variance, fourth, jerk;
+ boxes = (int64_t)((*cspan_at(&axis, 0))) - 1;
+ (*cspan_at(&axis, 14)) = 1.0;
+ last = -1;
+ for (level = 0; level < boxes; level += 1)
+ {
+  if ((*cspan_at(&axis, 4 + level)) > 0.0)
+  {
+   last = level;
+  }
+ }
+ if (last < 0)
+ {
+  return 0;
+ }
+ (*cspan_at(&axis, 38)) = span_min_int(span_floor_div((last + 1), 2), 2);
+ for (level = 0; level < boxes - 1; level += 1)
+ {
+  if ((level > 0) || (last == 0))
+  {
+   (*cspan_at(&axis, 26 + level)) = share;
+   if (level > last)
+   {
+    (*cspan_at(&axis, 26 + level)) = span_max(share, usual_share(axis));
+   }
+   if ((level + (*cspan_at(&axis, 11)) == 2.0) && (last + (*cspan_at(&axis, 11)) >= 2.0))
+   {
+    (*cspan_at(&axis, 26 + level)) = steeper_above() * share;
+   }
+  }
+ }
+ for (i = 0; i < last; i += 1)
+ {
+  level = last - 1 - i;
+  limit = (*cspan_at(&axis, 4 + level));
+  rise = 1e+60;
+  if (limit > 0.0)
+  {
+   plateau_duration(&rise, &slope, limit, level + 1, axis);
+  }
+  (*cspan_at(&axis, 21 + level)) = rise;
+ }
+ if (last == 1)
+ {
+  (*cspan_at(&axis, 20)) = 0.25 * (*cspan_at(&axis, 4 + 1)) * (1.0 - (*cspan_at(&axis, 26 + 1)));
+  (*cspan_at(&axis, 19)) = 1.0 / (*cspan_at(&axis, 20));
+ }
+ if (last <= 1)
+ {
+  time = 1.0;
+  if (last == 1)
+  {
+   time = (*cspan_at(&axis, 21));
+  }
+  rise_moments(&variance, &fourth, time, 0, axis);
+  (*cspan_at(&axis, 36)) = variance / (time * time);
+ }
+ jerk = (*cspan_at(&axis, 4));
+ if (jerk > 0.0)
+ {
+  rise = (*cspan_at(&axis, 21));
+  (*cspan_at(&axis, 15)) = jerk * rise;
+  (*cspan_at(&axis, 17)) = jerk * (1.0 - (*cspan_at(&axis, 26)));
+  (*cspan_at(&axis, 16)) = 1.0 / (*cspan_at(&axis, 17));
+  (*cspan_at(&axis, 18)) = rise;
+  if (rise > 0.0)
+  {
+   rise_moments(cspan_at(&axis, 37), &fourth, rise, 1, axis);
+  }
+ }
+ return 1;
+}
+static bool smoothstep_parameters(array_double_1d axis, array_double_1d psi, array_double_1d peaks)
+{
+ int64_t k, j, e;
+ double limit, slope, change;
+ bool bounded;
+ k = (int64_t)((*cspan_at(&axis, 0))) - 2;
+ bounded = 0;
+ transition_peaks(k, psi, peaks);
+ (*cspan_at(&axis, 39)) = 2.0 * k + 2.0;
+ for (j = 0; j < 2 * k + 2; j += 1)
+ {
+  (*cspan_at(&axis, 40 + j)) = (*cspan_at(&psi, j));
+ }
+ (*cspan_at(&axis, 36)) = 1.0 / (4.0 * (2 * k + 3));
+ for (j = 1; j < k + 2; j += 1)
+ {
+  limit = (*cspan_at(&axis, 4 + j - 1));
+  if (limit > 0.0)
+  {
+   (*cspan_at(&axis, 31 + j - 1)) = (*cspan_at(&peaks, j)) / limit;
+   bounded = 1;
+  }
+ }
+ slope = (*cspan_at(&axis, 31));
+ if (slope > 0.0)
+ {
+  (*cspan_at(&axis, 15)) = 0.0;
+  (*cspan_at(&axis, 16)) = slope;
+  (*cspan_at(&axis, 17)) = 1.0 / slope;
+  for (e = 2; e < k + 2; e += 1)
+  {
+   change = pow(((*cspan_at(&axis, 31 + e - 1)) / pow(slope, (double)(e))), (1.0 / (e - 1)));
+   (*cspan_at(&axis, 15)) = span_max((*cspan_at(&axis, 15)), change);
+  }
+ }
+ return bounded;
+}
+bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work)
+{
+ int64_t i;
+ double duration, slope;
+ bool bounded;
+ for (i = 13; i < 50; i += 1)
+ {
+  (*cspan_at(&axis, i)) = 0.0;
+ }
+ (*cspan_at(&axis, 15)) = 1e+300;
+ bounded = 0;
+ if ((int64_t)((*cspan_at(&axis, 1))) == 1)
+ {
+  bounded = plateau_parameters(share, axis);
+ }
+ else
+ {
+  bounded = smoothstep_parameters(axis, span_row(&work, 0), span_row(&work, 1));
+ }
+ if (bounded)
+ {
+  segfmu_ramp_duration(&duration, &slope, top_acceleration(axis), axis);
+  (*cspan_at(&axis, 13)) = duration;
+ }
+ return bounded;
 }
 static double window_edge(double inside, double outside, array_double_1d family, array_double_1d axis)
 {
@@ -22354,6 +22145,142 @@ static int64_t plain_profile(array_double_1d problem, array_double_1d axis, arra
  result = begun_profile(axis, phases, work);
  return result;
 }
+static double shortest_scale(int64_t order, array_double_1d limits)
+{
+ int64_t below;
+ double scale;
+ scale = (*cspan_at(&limits, order - 1)) / (*cspan_at(&limits, order));
+ for (below = 1; below < order - 1; below += 1)
+ {
+  scale = span_min(scale, pow(((*cspan_at(&limits, below)) / (*cspan_at(&limits, order))), (1.0 / (order - below))));
+ }
+ return scale;
+}
+static double natural_limit(int64_t order, double steep, array_double_1d axis, array_double_1d limits)
+{
+ double below, bound, growth, result;
+ int64_t highest, top, above, given;
+ below = (*cspan_at(&limits, order - 1));
+ highest = (int64_t)((*cspan_at(&axis, 0))) + 1;
+ top = 2;
+ for (above = order + 1; above < highest + 1; above += 1)
+ {
+  bound = (*cspan_at(&axis, 2 + above - 1));
+  if (bound > 0.0)
+  {
+   return 2.0 * below * pow((bound / below), (1.0 / (above - order + 1)));
+  }
+ }
+ for (given = 3; given < order; given += 1)
+ {
+  if ((*cspan_at(&axis, 2 + given - 1)) > 0.0)
+  {
+   top = given;
+  }
+ }
+ growth = pow(steep, (1.0 / (highest - top))) / usual_share(axis);
+ result = growth * below / shortest_scale(order - 1, limits);
+ return result;
+}
+static void chain_limits(double steep, array_double_1d axis, array_double_1d state, array_double_1d limits)
+{
+ int64_t smoothness, order;
+ double bound, room, needed;
+ smoothness = (int64_t)((*cspan_at(&axis, 0)));
+ for (order = 1; order < smoothness + 2; order += 1)
+ {
+  (*cspan_at(&limits, order)) = (*cspan_at(&axis, 2 + order - 1));
+  if ((*cspan_at(&limits, order)) <= 0.0)
+  {
+   bound = natural_limit(order, steep, axis, limits);
+   if (order <= smoothness)
+   {
+    bound = span_max(bound, 2.0 * fabs((*cspan_at(&state, order))));
+   }
+   room = span_max((*cspan_at(&limits, order - 2)) - fabs((*cspan_at(&state, order - 2))), 0.0);
+   needed = (*cspan_at(&state, order - 1)) * (*cspan_at(&state, order - 1));
+   if (needed > room * 10000.0 * bound)
+   {
+    bound = 10000.0 * bound;
+   }
+   else if (needed > room * bound)
+   {
+    bound = needed / room;
+   }
+   (*cspan_at(&limits, order)) = bound;
+  }
+ }
+}
+static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains)
+{
+ int64_t smoothness, order, i;
+ array_double_1d chain;
+ smoothness = (int64_t)((*cspan_at(&axis, 0)));
+ for (order = 0; order < smoothness - 1; order += 1)
+ {
+  chain = span_row(&chains, order);
+  for (i = 0; i < 50; i += 1)
+  {
+   (*cspan_at(&chain, i)) = 0.0;
+  }
+  (*cspan_at(&chain, 0)) = smoothness - order;
+  (*cspan_at(&chain, 1)) = 1;
+  (*cspan_at(&chain, 11)) = order;
+  for (i = 0; i < smoothness - order + 1; i += 1)
+  {
+   (*cspan_at(&chain, 2 + i)) = (*cspan_at(&axis, 2 + order + i));
+   if (i <= 2)
+   {
+    (*cspan_at(&chain, 2 + i)) = (*cspan_at(&limits, order + 1 + i));
+   }
+  }
+  (*cspan_at(&chain, 9)) = (*cspan_at(&chain, 2));
+  (*cspan_at(&chain, 9 + 1)) = (*cspan_at(&chain, 3));
+  if (order == 0)
+  {
+   (*cspan_at(&chain, 9)) = (*cspan_at(&axis, 9));
+   (*cspan_at(&chain, 9 + 1)) = (*cspan_at(&axis, 9 + 1));
+  }
+  else if (order == 1)
+  {
+   (*cspan_at(&chain, 9)) = (*cspan_at(&axis, 9 + 1));
+  }
+  segfmu_ramp_parameters(usual_share(chain) / span_min(steep, 10.0), chain, span_rows(&chains, smoothness - 1, smoothness + 1));
+ }
+}
+static void lift_pieces(int64_t order, int64_t first, int64_t last, array_double_1d state, array_double_2d timing, array_double_2d coefficients)
+{
+ int64_t width, row, j, i, m;
+ double value, factorial, length;
+ width = coefficients.shape[1];
+ for (row = first; row < last; row += 1)
+ {
+  for (j = 0; j < width - order; j += 1)
+  {
+   i = width - 1 - j;
+   value = (*cspan_at(&coefficients, row, i - order));
+   for (m = 0; m < order; m += 1)
+   {
+    value = value / (i - m);
+   }
+   (*cspan_at(&coefficients, row, i)) = value;
+  }
+  factorial = 1.0;
+  for (i = 0; i < order; i += 1)
+  {
+   if (i > 0)
+   {
+    factorial = factorial * i;
+   }
+   (*cspan_at(&coefficients, row, i)) = (*cspan_at(&state, i)) / factorial;
+  }
+  for (i = 0; i < order; i += 1)
+  {
+   length = (*cspan_at(&timing, row, 1));
+   (*cspan_at(&state, i)) = evaluate_piece(coefficients, row, width, length, i);
+  }
+ }
+}
 static int64_t append_stage(double v, double a, double w, array_double_2d phases, array_double_1d chain)
 {
  double top;
@@ -22783,6 +22710,81 @@ static double try_brake(int64_t order, double side, double level, bool settled, 
  }
  result = (*cspan_at(&timing, row, 0)) + local;
  return result;
+}
+static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead)
+{
+ int64_t smoothness, i;
+ array_double_1d axis, state;
+ smoothness = limits.shape[0] - 1;
+ axis = span_row(&lead, 59);
+ state = span_row(&lead, 16);
+ segfmu_axis_limits(smoothness, 1, limits, axis);
+ set_lower(span_row(&lead, 60), axis);
+ for (i = loose; i < smoothness + 1; i += 1)
+ {
+  if ((*cspan_at(&limits, i - 1)) > 0.0)
+  {
+   (*cspan_at(&axis, 2 + i - 1)) = span_max((*cspan_at(&limits, i - 1)), fabs((*cspan_at(&lead, 7, i))));
+  }
+ }
+ if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, 61, 68)))
+ {
+  return 0;
+ }
+ for (i = 0; i < 9; i += 1)
+ {
+  (*cspan_at(&state, i)) = 0.0;
+ }
+ for (i = 1; i < smoothness + 1; i += 1)
+ {
+  (*cspan_at(&lead, 20, i)) = rounding_error(i, limits);
+  if ((*cspan_at(&limits, i - 1)) <= 0.0)
+  {
+   (*cspan_at(&state, i)) = (*cspan_at(&lead, 7, i));
+  }
+ }
+ chain_limits(steep, axis, state, span_row(&lead, 19));
+ set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 68));
+ for (i = 1; i < smoothness + 2; i += 1)
+ {
+  (*cspan_at(&lead, 12, i)) = -(*cspan_at(&lead, 19, i));
+  if (i <= 2)
+  {
+   (*cspan_at(&lead, 12, i)) = -(*cspan_at(&axis, 9 + i - 1));
+  }
+  (*cspan_at(&lead, 13, i)) = (*cspan_at(&lead, 19, i));
+ }
+ return 1;
+}
+static double lower_limit(int64_t order, array_double_1d limits, array_double_2d lead)
+{
+ double result;
+ if ((order <= 2) && ((*cspan_at(&lead, 60, order - 1)) > 0.0))
+ {
+  result = (*cspan_at(&lead, 60, order - 1));
+  return result;
+ }
+ result = (*cspan_at(&limits, order - 1));
+ return result;
+}
+static bool is_outside(array_double_1d limits, array_double_2d lead)
+{
+ int64_t i;
+ double value, bound;
+ for (i = 1; i < limits.shape[0]; i += 1)
+ {
+  value = (*cspan_at(&lead, 7, i));
+  bound = (*cspan_at(&limits, i - 1));
+  if (value < 0.0)
+  {
+   bound = lower_limit(i, limits, lead);
+  }
+  if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12)))
+  {
+   return 1;
+  }
+ }
+ return 0;
 }
 static void note_extremes(int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients)
 {
@@ -24727,10 +24729,10 @@ static bool shrink_share(int64_t axis, bool last, array_double_2d operation)
  (*cspan_at(&operation, 12, axis)) = share * (*cspan_at(&operation, 12, axis));
  return 1;
 }
-static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets)
+static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d lead)
 {
- double now, wish, direction, velocity;
- int64_t leads, row;
+ double now, wish, direction, step, velocity;
+ int64_t leads, row, part, count, i;
  now = (*cspan_at(&operation, 19 + axis, 1));
  wish = (*cspan_at(&operation, 22, axis)) * (*cspan_at(&operation, 12, axis));
  if (now * wish < 0.0)
@@ -24741,10 +24743,18 @@ static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d t
  leads = 2 * 4 + axis;
  for (row = (*cspan_at(&offsets, leads)); row < (*cspan_at(&offsets, leads + 1)); row += 1)
  {
-  velocity = evaluate_piece(span_matrix(&coefficients, 2), row, coefficients.shape[2], (*cspan_at(&timing, 2, row, 1)), 1);
-  if (velocity * direction < (-1e-06) * direction * direction)
+  step = (*cspan_at(&timing, 2, row, 1)) / 8;
+  for (part = 0; part < 8; part += 1)
   {
-   return 1;
+   count = part_hull(1, row, part * step, step, lead, span_matrix(&coefficients, 2));
+   for (i = 0; i < count; i += 1)
+   {
+    velocity = (*cspan_at(&lead, 312 + 0, i));
+    if (velocity * direction < (-1e-06) * direction * direction)
+    {
+     return 1;
+    }
+   }
   }
  }
  return 0;
@@ -24762,7 +24772,7 @@ static bool reach_velocities(bool slow, array_double_2d operation, array_double_
    {
     return 0;
    }
-   if (slow && goes_back(axis, operation, timing, coefficients, offsets))
+   if (slow && goes_back(axis, operation, timing, coefficients, offsets, lead))
    {
     return 0;
    }
@@ -26933,6 +26943,33 @@ static void keep_ways(array_double_2d operation)
   }
  }
 }
+static bool rests_short(array_double_2d operation)
+{
+ int64_t axis;
+ array_double_1d now;
+ double end, left;
+ bool resting;
+ for (axis = 0; axis < 3; axis += 1)
+ {
+  now = span_row(&operation, 19 + axis);
+  end = (*cspan_at(&now, 0));
+  if ((*cspan_at(&operation, 22, axis)) > 0.0)
+  {
+   end = (*cspan_at(&operation, 16 + axis, 1));
+  }
+  else if ((*cspan_at(&operation, 22, axis)) < 0.0)
+  {
+   end = (*cspan_at(&operation, 16 + axis, 0));
+  }
+  left = fabs(end - (*cspan_at(&now, 0))) - 2.0 * end_rounding_of(end);
+  resting = ((*cspan_at(&now, 1)) == 0.0) && ((*cspan_at(&now, 2)) == 0.0);
+  if (resting && (left > 0.0))
+  {
+   return 1;
+  }
+ }
+ return 0;
+}
 static double depth_towards(int64_t axis, double low, double high, double place, array_double_2d operation)
 {
  double wish, now, touch;
@@ -27023,6 +27060,16 @@ static bool is_prolonged(array_double_2d operation)
   return 0;
  }
  return (attempt == 0) || (attempt == 10);
+}
+static bool keeps_blocked(array_double_2d operation)
+{
+ bool result;
+ if ((!is_prolonged(operation)) || (!are_ways_kept(operation)))
+ {
+  return 0;
+ }
+ result = !rests_short(operation);
+ return result;
 }
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known)
 {
@@ -27226,7 +27273,7 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
 {
  array_double_1d progress;
  int64_t attempt, failed, tries, status, first;
- double share;
+ double told;
  progress = span_row(&operation, 4);
  first_attempt(&attempt, &failed, operation, known);
  tries = 0;
@@ -27260,20 +27307,20 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
   }
   if (is_slower(attempt + 1))
   {
-   share = 1.0;
+   told = 1.0;
    if (status == 6)
    {
     first = 4 * 4;
-    share = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
+    told = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
    }
-   note_pace(attempt, share, operation);
+   note_pace(attempt, told, operation);
   }
   if (!((status == 5) && blocks(attempt, operation, known, work)))
   {
    failed = status;
    attempt = attempt + 1;
   }
-  else if (is_prolonged(operation) && are_ways_kept(operation))
+  else if (keeps_blocked(operation))
   {
    (*cspan_at(&progress, 1)) = 1;
    note_taken(10, operation);
