@@ -1002,6 +1002,7 @@ static double depth_towards(int64_t axis, double low, double high, double place,
 static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
+static void choose_pace(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_blocked(array_double_2d operation);
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
@@ -11924,13 +11925,13 @@ static void note_pace(int64_t attempt, double told, array_double_2d operation)
 {
  double share;
  share = 0.7;
- if ((told < 1.0) && (!is_slower(attempt)))
+ if ((told < 1.0) && is_slower(attempt))
  {
-  share = 0.98 * told;
+  share = span_min(0.7, 0.98 * told);
  }
  else if (told < 1.0)
  {
-  share = span_min(0.7, 0.98 * told);
+  share = 0.98 * told;
  }
  (*cspan_at(&operation, 4, 6)) = share * pace_of(attempt, operation);
 }
@@ -27061,6 +27062,22 @@ static bool is_prolonged(array_double_2d operation)
  }
  return (attempt == 0) || (attempt == 10);
 }
+static void choose_pace(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work)
+{
+ double told;
+ int64_t first;
+ if (!is_slower(attempt + 1))
+ {
+  return;
+ }
+ told = 1.0;
+ if (status == 6)
+ {
+  first = 4 * 4;
+  told = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
+ }
+ note_pace(attempt, told, operation);
+}
 static bool keeps_blocked(array_double_2d operation)
 {
  bool result;
@@ -27272,8 +27289,7 @@ static bool renew_holds(array_double_2d operation, array_double_2d limits, array
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack)
 {
  array_double_1d progress;
- int64_t attempt, failed, tries, status, first;
- double told;
+ int64_t attempt, failed, tries, status;
  progress = span_row(&operation, 4);
  first_attempt(&attempt, &failed, operation, known);
  tries = 0;
@@ -27305,16 +27321,7 @@ static bool attempt_plans(array_double_2d operation, array_double_3d limits, arr
   {
    (*cspan_at(&progress, 2)) = status;
   }
-  if (is_slower(attempt + 1))
-  {
-   told = 1.0;
-   if (status == 6)
-   {
-    first = 4 * 4;
-    told = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
-   }
-   note_pace(attempt, told, operation);
-  }
+  choose_pace(attempt, status, operation, known, timing, coefficients, offsets, work);
   if (!((status == 5) && blocks(attempt, operation, known, work)))
   {
    failed = status;

@@ -19,7 +19,7 @@ from segfmu.kernels.planner.records import Lower
 # share of the pace that a failed plan tells, for what it does not: peaks between samples, and axes
 # that meet otherwise
 CLOSER = 0.98
-# pace over that of a plan which failed, where that tells none, or has been told one before
+# pace over that of a plan which failed, where that tells none; the most where it was slower before
 CALMER = 0.7
 
 
@@ -43,10 +43,10 @@ def note_pace(attempt: int, told: float, operation: 'float[:,:]') -> None:
     1 if it tells none.
     """
     share = CALMER
-    if told < 1.0 and not is_slower(attempt):
-        share = CLOSER * told
-    elif told < 1.0:
+    if told < 1.0 and is_slower(attempt):
         share = min(CALMER, CLOSER * told)
+    elif told < 1.0:
+        share = CLOSER * told
     operation[Operation.PROGRESS, Progress.PACE] = share * pace_of(attempt, operation)
 
 

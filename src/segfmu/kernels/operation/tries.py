@@ -42,6 +42,23 @@ def is_prolonged(operation: 'float[:,:]') -> bool:
     return attempt == Attempt.FULL or attempt == Attempt.BLOCKED
 
 
+def choose_pace(
+    attempt: int, status: int, operation: 'float[:,:]', known: 'float[:,:]',
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]',
+) -> None:
+    """Choose the pace of a slower attempt after one that failed by a status."""
+    if not is_slower(attempt + 1):
+        return
+    told = 1.0
+    if status == OperationStatus.DRIVES:
+        first = Slot.TRIED * Slot.OFFSETS
+        told = pace_within(
+            timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
+            offsets[first:first + Slot.OFFSETS], known, work,
+        )
+    note_pace(attempt, told, operation)
+
+
 def keeps_blocked(operation: 'float[:,:]') -> bool:
     """Whether nothing is gained beside the present plan, which ends before the same obstacle."""
     if not is_prolonged(operation) or not are_ways_kept(operation):
@@ -82,15 +99,7 @@ def attempt_plans(
         if failed == OperationStatus.TAKEN and progress[Progress.BLOCKS] == 0.0:
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
-        if is_slower(attempt + 1):
-            told = 1.0
-            if status == OperationStatus.DRIVES:
-                first = Slot.TRIED * Slot.OFFSETS
-                told = pace_within(
-                    timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
-                    offsets[first:first + Slot.OFFSETS], known, work,
-                )
-            note_pace(attempt, told, operation)
+        choose_pace(attempt, status, operation, known, timing, coefficients, offsets, work)
         if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
             failed = status
             attempt = attempt + 1
