@@ -69,7 +69,7 @@ def switched_off(source: str, functions: dict[str, str]) -> str:
     """The kernels with another first statement in some functions."""
     for name, statement in functions.items():
         source, count = re.subn(
-            rf"(^static \w+ {name}\([^;{{]*\)\n\{{)", rf"\g<1> {statement}", source, flags=re.M
+            rf"(^static \w+ {name}\([^;{{]*\) \{{\n)", rf"\g<1> {statement}", source, flags=re.M
         )
         if count != 1:
             raise LookupError(f"kernels.c has {count} functions {name}, expected one")

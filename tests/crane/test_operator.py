@@ -300,6 +300,20 @@ def test_the_obstacle_behind_the_first_one_is_the_next_end() -> None:
     assert operator.load[0, 2] < -0.3
 
 
+def test_a_load_that_brakes_goes_on_when_a_far_obstacle_is_the_next_end() -> None:
+    boxes = [
+        Obstacle("near", [0.2, -0.2, -0.9], [0.3, 0.2, -0.6], 0.0),
+        Obstacle("far", [0.8, -0.2, -0.9], [0.9, 0.2, -0.3], 0.0),
+    ]
+    operator = free(clearance=Clearance(boxes, minimum=[-1.0, -1.0, -0.9]))
+    operator.command("target", target=[-0.1, 0.0, -0.75])
+    follow(operator, 4.0)
+    operator.command("velocity", velocity=[0.3, 0.0, 0.12])
+    follow(operator, 4.0, 0.02)
+    # one that went on to its stop before the near one would be 6 mm behind
+    assert operator.load[0, 0] > 0.795
+
+
 @pytest.mark.parametrize(
     ("start", "sense"), [([-0.5, -0.6, -0.7], 1.0), ([1.0, 0.6, -0.7], -1.0)]
 )

@@ -6,7 +6,7 @@ import ast
 from collections.abc import Iterator
 
 from segfmu.codegen.functions import Function, functions
-from segfmu.codegen.native import BANNER, PREFIX
+from segfmu.codegen.native import BANNER, PREFIX, shallow
 from segfmu.errors import BuildError
 from segfmu.kernels.entry_point import Extent
 from segfmu.kernels.entry_points import ENTRY_POINTS, MAY_BE_EMPTY, MAY_LACK_PIECES
@@ -38,12 +38,12 @@ def generate() -> dict[str, str]:
         for f in chosen
     )
     return {
-        "module.c": f'{BANNER}#include "arguments.h"\n\n{calls}\n\n'
+        "module.c": shallow(f'{BANNER}#include "arguments.h"\n\n{calls}\n\n'
         f"static PyMethodDef methods[] = {{\n{table}\n    {{NULL, NULL, 0, NULL}},\n}};\n\n"
         "static struct PyModuleDef definition = {\n"
         '    PyModuleDef_HEAD_INIT, "_compiled", "The kernels, compiled.", 0, methods, NULL,\n'
         "    NULL, NULL, NULL,\n};\n\n"
-        "PyMODINIT_FUNC PyInit__compiled(void)\n{\n    return PyModuleDef_Init(&definition);\n}\n"
+        "PyMODINIT_FUNC PyInit__compiled(void)\n{\n    return PyModuleDef_Init(&definition);\n}\n")
     }
 
 

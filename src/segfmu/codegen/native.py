@@ -135,10 +135,17 @@ def _used_in(body: str) -> str:
 
 
 def _short(text: str) -> str:
-    """The same in fewer characters, as it is in each archive: plain numbers, a space a level."""
+    """The same in fewer characters, as it is in each archive: plain numbers and values."""
     text = re.sub(r"INT64_C\((\d{1,9})\)", r"\1", text)
+    text = re.sub(r"\(\*(cspan_at\([^()]*\))\)", r"*\1", text)
     kinds = r"(?:double|int64_t|bool|array_\w+)"
     text = re.sub(rf"(?:^ +{kinds} \w+;\n)+", _together, text, flags=re.M)
+    return shallow(text)
+
+
+def shallow(text: str) -> str:
+    """C with a space a level, and no lines of opening braces alone."""
+    text = re.sub(r"\n *\{\n", " {\n", text)
     return re.sub(r"^(?: {4})+", lambda m: " " * (len(m[0]) // 4), text, flags=re.M)
 
 

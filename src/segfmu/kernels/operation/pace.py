@@ -33,17 +33,22 @@ def pace_within(
     while until > time:
         for k in range(SAMPLES):
             at = time + (until - time) * k / SAMPLES
-            if not keeps_at(pace, at, timing, coefficients, offsets, known, work):
-                if not keeps_at(LOWEST, at, timing, coefficients, offsets, known, work):
-                    return 1.0
-                low = LOWEST
-                for i in range(HALVINGS):
-                    middle = 0.5 * (low + pace)
-                    if keeps_at(middle, at, timing, coefficients, offsets, known, work):
-                        low = middle
-                    else:
-                        pace = middle
-                pace = low
+            low = 1.0
+            tried = pace
+            # the pace itself, the lowest one, and what is between them
+            for i in range(2 + HALVINGS):
+                if keeps_at(tried, at, timing, coefficients, offsets, known, work):
+                    low = tried
+                    if i == 0:
+                        break
+                else:
+                    if i == 1:
+                        return 1.0
+                    pace = tried
+                tried = LOWEST
+                if i > 0:
+                    tried = 0.5 * (low + pace)
+            pace = low
         time = until
         until = interval_end(time, timing, offsets)
     return pace
