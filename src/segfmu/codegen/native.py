@@ -135,12 +135,12 @@ def _used_in(body: str) -> str:
 
 
 def _short(text: str) -> str:
-    """The same in fewer characters, as it is in each archive: plain numbers and values."""
+    """The same in fewer characters, as it is in each archive: plain numbers, and no indents."""
     text = re.sub(r"INT64_C\((\d{1,9})\)", r"\1", text)
     text = re.sub(r"\(\*(cspan_at\([^()]*\))\)", r"*\1", text)
     kinds = r"(?:double|int64_t|bool|array_\w+)"
     text = re.sub(rf"(?:^ +{kinds} \w+;\n)+", _together, text, flags=re.M)
-    return shallow(text)
+    return re.sub(r"^ +", "", shallow(text), flags=re.M)
 
 
 def shallow(text: str) -> str:
