@@ -10247,11 +10247,11 @@ return 1.0;
 static void note_pace(int64_t attempt, double told, array_double_2d operation) {
 double share;
 share = 0.7;
-if ((told < 1.0) && is_slower(attempt)) {
-share = span_min(0.7, 0.98 * told);
-}
-else if (told < 1.0) {
+if (told < 1.0) {
 share = 0.98 * told;
+}
+if (is_slower(attempt)) {
+share = span_min(share, 0.7);
 }
 *cspan_at(&operation, 4, 6) = share * pace_of(attempt, operation);
 }
@@ -21853,7 +21853,7 @@ duration = span_max(duration, *cspan_at(&cells, i, 67, 0));
 duration = round_up(duration, sample_time);
 place = first;
 agreed = 0;
-for (i = 0; i < 100 * (last - first); i += 1) {
+for (i = 0; i < 100000; i += 1) {
 if (agreed == last - first) {
 return duration;
 }

@@ -2,8 +2,8 @@
 
 First as it is. Where bounds of the drives are in the way, more slowly built up, as slowly as what
 the plan asks of them tells (pace.py); at last with a part of the velocity, along some axes alone,
-or a stop, also more slowly. What meets an obstacle is tried
-once more with a way that ends before it, see ways.py.
+or a stop, also more slowly. What meets an obstacle is tried once more with a way that ends before
+it, see ways.py.
 """
 
 from segfmu.kernels.operation.records import (
@@ -43,10 +43,10 @@ def note_pace(attempt: int, told: float, operation: 'float[:,:]') -> None:
     1 if it tells none.
     """
     share = CALMER
-    if told < 1.0 and is_slower(attempt):
-        share = min(CALMER, CLOSER * told)
-    elif told < 1.0:
+    if told < 1.0:
         share = CLOSER * told
+    if is_slower(attempt):
+        share = min(share, CALMER)
     operation[Operation.PROGRESS, Progress.PACE] = share * pace_of(attempt, operation)
 
 

@@ -14,9 +14,9 @@ from segfmu.kernels.trajectory.records import Timing
 
 # times in an interval at which a plan is looked at
 SAMPLES = 4
-# the lowest pace that is looked for, and halvings to the one sought
+# the lowest pace that is looked for, and bisections to the one sought
 LOWEST = 0.25
-HALVINGS = 8
+BISECTIONS = 8
 
 
 def pace_within(
@@ -36,7 +36,7 @@ def pace_within(
             low = 1.0
             tried = pace
             # the pace itself, the lowest one, and what is between them
-            for i in range(2 + HALVINGS):
+            for i in range(2 + BISECTIONS):
                 if keeps_at(tried, at, timing, coefficients, offsets, known, work):
                     low = tried
                     if i == 0:

@@ -23,6 +23,8 @@ from segfmu.kernels.planner.synchronize import timed_profile
 # how a duration grows at first that is looked for behind the last end of a gap, and how the growth
 # itself does: windows get longer
 GROWTH = 1.005
+# meetings of axes until there is no common duration
+SWEEPS = 100000
 # sample times [s]
 SHORTEST_SAMPLE = 1e-9
 LONGEST_SAMPLE = 1e6
@@ -171,7 +173,7 @@ def common_duration(
     duration = round_up(duration, sample_time)
     place = first
     agreed = 0
-    for i in range(HALVINGS * (last - first)):
+    for i in range(SWEEPS):
         if agreed == last - first:
             return duration
         if duration >= most:

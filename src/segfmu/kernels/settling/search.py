@@ -27,9 +27,8 @@ STEPS = 10
 # ends of a grid on each side of zero, and each one over the next larger one
 ENDS = 4
 DENSER = 0.25
-# levels of following profiles in turn, each of which has to take less than this share of the time
+# levels of following profiles in turn
 FOLLOWED = 8
-WORTH_FOLLOWING = 0.999
 # derivatives that nothing limits are raised by this factor, so often, as long as the time of a lead
 # becomes less than this share
 STEEPER = 10.0
