@@ -17506,7 +17506,7 @@ if (span_floor_mod(attempt, 3) == 1) {
 factor = 1.3 * factor;
 }
 else if (span_floor_mod(attempt, 3) == 2) {
-factor = 0.8 * factor;
+factor = factor / 1.25;
 }
 for (i = 0; i < (int64_t)(*cspan_at(&passing, 0)); i += 1) {
 row = 102 + i;
@@ -19096,8 +19096,11 @@ return 1;
 static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients) {
 int64_t k;
 double middle, value;
-for (k = 0; k < 60; k += 1) {
+for (k = 0; k < 100; k += 1) {
 middle = 0.5 * (lower + upper);
+if ((middle == lower) || (middle == upper)) {
+break;
+}
 value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order);
 if (outside_by(value, order, lead) > 0.0) {
 lower = middle;
@@ -19784,7 +19787,7 @@ if ((0.0 < inside) && (inside < *cspan_at(&report, 0))) {
 for (i = 1; i < 5; i += 1) {
 *cspan_at(&report, 3 + order) = 0.25 * i;
 count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
-if ((count > 0) && (*cspan_at(&report, 0) < 0.999 * best)) {
+if ((count > 0) && (*cspan_at(&report, 0) < (1.0 - 0.001) * best)) {
 best = *cspan_at(&report, 0);
 gentle = *cspan_at(&report, 3 + order);
 }
@@ -20045,7 +20048,7 @@ double value;
 width = coefficients.shape[1];
 for (i = 1; i < span_floor_div(width, 2) + 1; i += 1) {
 value = evaluate_piece(coefficients, 400, width, 0.0, i);
-if (!(fabs(value - *cspan_at(&lead, 7, i)) <= 1e-11 * *cspan_at(&lead, 19, i))) {
+if (!(fabs(value - *cspan_at(&lead, 7, i)) <= end_rounding() * *cspan_at(&lead, 19, i))) {
 return 0;
 }
 }
@@ -20184,7 +20187,7 @@ nearest = span_min(nearest, time);
 }
 }
 if (*cspan_at(&lead, 22, stage) == around) {
-if (nearest <= 1.001 * *cspan_at(&lead, 23, 0)) {
+if (nearest <= (1.0 + 0.001) * *cspan_at(&lead, 23, 0)) {
 break;
 }
 step = 0.5 * step;
@@ -20222,7 +20225,7 @@ before = *cspan_at(&lead, 23, 0);
 level = *cspan_at(&first, 2) + *cspan_at(&first, 3);
 *cspan_at(&lead, 21, stage) = span_min(span_max(level, -bound), bound);
 time = try_lead(order, 400, limits, lead, timing, coefficients);
-if ((before >= 0.0) && (1.001 * *cspan_at(&lead, 23, 0) > before)) {
+if ((before >= 0.0) && ((1.0 + 0.001) * *cspan_at(&lead, 23, 0) > before)) {
 break;
 }
 }
@@ -24291,7 +24294,7 @@ return 0;
 }
 try_move(0.0, path, spots, links, spans);
 used = largest_node_share(path, tracks, links, spans, grid, square);
-if (used > 0.999) {
+if (used > 1.0 - 0.001) {
 return 0;
 }
 *cspan_at(&path, 8) = span_max(1.0, *cspan_at(&path, 8) * (used + 0.1 * (1.0 - used)));

@@ -9,12 +9,7 @@ as in barrier.py, band as in band.py.
 
 from math import log
 
-from segfmu.kernels.numerics.numbers import (
-    HALF_DIGITS,
-    HALVINGS,
-    NEVER,
-    SAMPLES,
-)
+from segfmu.kernels.numerics.numbers import FAR, FINE, HALF_DIGITS, HALVINGS, NEVER, SAMPLES
 from segfmu.kernels.passage.band import band_solve, write_band, write_durations, write_steps
 from segfmu.kernels.passage.barrier import (
     barrier_value,
@@ -54,13 +49,8 @@ ON_THE_WAY = 20.0
 CENTRINGS = 30
 # one over a duration changes by this share at once, at most
 LARGEST_STEP = 0.6
-# the first of the durations that are tried is shorter by this factor, and the last one longer, than
-# velocity and acceleration alone tell
-FARTHER = 1e3
-# share of what could be taken back at once that is left where given states exceed the limits; where
-# they take more of the limits than this, there is nothing to take back
+# share of what could be taken back at once that is left where given states exceed the limits
 LEFT = 0.1
-STUCK = 0.999
 
 
 def gap_of(point: int) -> float:
@@ -232,8 +222,8 @@ def write_times(
         for j in range(spans.shape[0]):
             distance = links[j * axes + axis, Link.TRIAL, GridColumn.DISTANCE]
             reach = max(reach, abs(distance) / limit)
-    first = log(1.0 / FARTHER * least)
-    growth = (log(FARTHER * (least + reach)) - first) / SAMPLES
+    first = log(1.0 / FAR * least)
+    growth = (log(FAR * (least + reach)) - first) / SAMPLES
     for j in range(spans.shape[0]):
         fits = NEVER
         for k in range(SAMPLES + 1):
@@ -266,7 +256,7 @@ def retreat(
             return False
         try_move(0.0, path, spots, links, spans)
         used = largest_node_share(path, tracks, links, spans, grid, square)
-        if used > STUCK:
+        if used > 1.0 - FINE:
             return False
         path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + LEFT * (1.0 - used)))
         if path[Path.ROOM] == 1.0:

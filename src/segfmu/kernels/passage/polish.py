@@ -13,14 +13,14 @@ from segfmu.kernels.passage.judge import (
     plan_lengths,
     shortest_of,
 )
+from segfmu.kernels.passage.path import LAST_GAP
 from segfmu.kernels.passage.records import Free, Link, Path, Spot, Stretch
 from segfmu.kernels.passage.search import highest_state
 from segfmu.kernels.planner.plan import set_problems
 from segfmu.kernels.planner.records import Axis, Cell, Effort, Interval, WaypointState
 
-# a state is moved by this share of half its range at first, by less in each sweep; a fourth one
-# gains 0.05 % for a fourth more plans
-FIRST_MOVE = 0.03
+# a state is moved by less of half its range in each sweep, at first by what the last point of a
+# path leaves (LAST_GAP); a fourth one gains 0.05 % for a fourth more plans
 FINER = 0.32
 SWEEPS = 3
 
@@ -170,7 +170,7 @@ def polish_states(
     plan_lengths(states, spans, axes, cells, work)
     for axis in range(count):
         axes[axis, Axis.EFFORT] = Effort.QUICK
-    path[Path.STEP] = FIRST_MOVE
+    path[Path.STEP] = LAST_GAP
     for sweep in range(SWEEPS):
         backwards = runs_backwards(spans)
         for k in range(1, last):

@@ -1,6 +1,6 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
+from segfmu.kernels.numerics.numbers import COARSE, FINE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
@@ -11,12 +11,8 @@ from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
 
 # between samples of an arc the velocity is met up to rounding where the excess is below this share
-# of what the velocities cover, else within a thousandth (SCANNED) of what is missing
+# of what the velocities cover, else within a thousandth (FINE) of what is missing
 NEAR = 0.02
-SCANNED = 1e-3
-# halvings to where the members of an arc begin: they cost as much as samples, and of what is in
-# between there is hardly ever the distance
-EDGES = 12
 
 
 def loop_excess(
@@ -109,7 +105,7 @@ def scanned_excess(
     arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
     """`loop_excess`, accurate where it is small: elsewhere its sign is enough."""
-    duration, error = loop_excess(arc, place, SCANNED, missing, largest, family, axis)
+    duration, error = loop_excess(arc, place, FINE, missing, largest, family, axis)
     if duration < 0.0 or (arc != LoopArc.LOOP and arc != LoopArc.FOLD):
         return duration, error
     small = NEAR * duration
@@ -156,7 +152,9 @@ def arc_root(
                 e_other = e_before
             inside = other
             e_inside = e_other
-            for j in range(EDGES):
+            # halvings cost as much as samples, and of what is in between there is hardly ever the
+            # distance
+            for j in range(COARSE):
                 middle = 0.5 * (inside + outside)
                 duration, error = scanned_excess(arc, middle, missing, largest, family, axis)
                 if duration < 0.0:

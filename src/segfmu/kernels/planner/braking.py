@@ -7,7 +7,7 @@ pop, a dip (dip.py) may. Else the problem is refused. From zero acceleration on,
 exists (docs/planner.md).
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, GOLDEN, HALVINGS, NEVER, SECTIONS
+from segfmu.kernels.numerics.numbers import EQUAL, FAR, GOLDEN, HALVINGS, NEVER, SECTIONS
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
@@ -22,10 +22,6 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
 from segfmu.kernels.planner.records import Braking, Phase, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
-
-# a ramp to a level beyond this times the acceleration crosses zero while all derivatives still
-# rise, and no faster
-DEEPEST = 1e3
 
 
 def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
@@ -44,7 +40,8 @@ def deep_level(
     bottom: the limit of the acceleration past zero. Golden section, as far as needed: the extreme
     velocity falls with the depth of the level, and may rise again.
     """
-    lower = -min(bottom, DEEPEST * a)
+    # a ramp to a level beyond that crosses zero while all derivatives still rise, and no faster
+    lower = -min(bottom, FAR * a)
     upper = 0.0
     if peak_past_zero(v, a, lower, axis) <= velocity_limit:
         return lower

@@ -10,7 +10,7 @@ begin with the ramp to zero, whose last level is zero; the more time the first l
 velocity is gained, and the lower the acceleration falls.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, FINE, HALVINGS, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -20,8 +20,7 @@ from segfmu.kernels.planner.records import Axis, Dip, Excess, Node, Passing, Pla
 from segfmu.kernels.planner.sequence import advance, pass_node, sequence_duration, set_level
 from segfmu.kernels.planner.sides import mirror_axis, side_limit
 
-# how accurately the shallowest dip and the deepest one are found, as a share of them
-ACCURACY = 1e-3
+# how accurately the deepest dip is found, as a share of it
 DEEPEST = 0.01
 # velocity that a motion gains at least while it brings an acceleration to zero, as a share of the
 # acceleration times the duration of one ramp: that gains 0.5, and every motion 0.4, with a limit of
@@ -162,7 +161,7 @@ def find_edge(
 
     It is more than `lower`, and the acceleration at its end is `end`. -1: there is none.
     """
-    accuracy = ACCURACY
+    accuracy = FINE
     if deepest:
         accuracy = DEEPEST
     upper = NEVER

@@ -4,13 +4,10 @@ Each polynomial piece is cut where a derivative is zero, from that of the levels
 the cuts the next lower one rises or falls, so its extremes are at cuts.
 """
 
-from segfmu.kernels.numerics.numbers import HALF_DIGITS, HALVINGS, TIE
+from segfmu.kernels.numerics.numbers import EXCEEDED, HALF_DIGITS, HALVINGS, TIE
 from segfmu.kernels.planner.nested import held_level, piece_peak, rise_pieces
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork
 from segfmu.kernels.planner.sides import side_limit
-
-# a limit is exceeded by more than this share
-EXCEEDED = 1e-10
 
 
 def taylor_value(order: int, top: int, t: float, state: 'float[:]') -> float:

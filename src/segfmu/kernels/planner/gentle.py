@@ -9,19 +9,16 @@ five between the states.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import HALF_DIGITS, ROUNDED, SAME
+from segfmu.kernels.numerics.numbers import CLOSE, HALF_DIGITS, NEARLY, ROUNDED, SAME
 from segfmu.kernels.planner.phases import append_change, append_hold
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Gentle, Phase, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
-# the least determinant of a step, of its terms
-DETERMINANT = 1e-9
 # starts: half the difference of the levels grows by this from one to the next
 WIDER = 1.5
-# steps until it has failed; share of the usual speed below which slopes of the step before do
+# steps until it has failed
 STEPS = 16
-CLOSE = 1e-4
 
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
@@ -157,7 +154,7 @@ def gentle_step(gentle: 'float[:]') -> bool:
     e1 = gentle[Gentle.EXCESS_SLOPES]
     e2 = gentle[Gentle.EXCESS_SLOPES + 1]
     determinant = g1 * e2 - g2 * e1
-    if not abs(determinant) > DETERMINANT * (abs(g1 * e2) + abs(g2 * e1)):
+    if not abs(determinant) > NEARLY * (abs(g1 * e2) + abs(g2 * e1)):
         return False
     gentle[Gentle.STEPS] = (g2 * excess - e2 * gain) / determinant
     gentle[Gentle.STEPS + 1] = (e1 * gain - g1 * excess) / determinant

@@ -3,11 +3,9 @@
 BY_TIME of a family (Family) selects duration or distance, TARGET is its value.
 """
 
+from segfmu.kernels.numerics.numbers import COARSE
 from segfmu.kernels.planner.records import Family
 from segfmu.kernels.planner.search import bracketed_root, canonical_value, window_edge
-
-# parameters on this side of SCALE, growing as squares; there are three times as many in all
-SCALED = 12
 
 
 def member_search(family: 'float[:]', axis: 'float[:]') -> float:
@@ -15,8 +13,9 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
 
     Neither duration nor distance is monotone along the family. The duration falls and rises again
     as a first level with a long way back gives way to a shorter one; the distance does so while the
-    velocity in between is negative. So the search steps through the members, up to nine times
-    SCALE. With the highest first level it goes on where it found the member before.
+    velocity in between is negative. So the search steps through the members: COARSE of them up to
+    SCALE, growing as squares, and twice as many up to nine times that. With the highest first level
+    it goes on where it found the member before.
     """
     target = family[Family.TARGET]
     passed = 0
@@ -29,17 +28,17 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         begin = int(family[Family.PASSED])
         lower = family[Family.PASSED_INSIDE]
         f_lower = family[Family.PASSED_VALUE]
-        if begin > SCALED + 1 and lower >= 0.0 and f_lower > target:
+        if begin > COARSE + 1 and lower >= 0.0 and f_lower > target:
             return -1.0
     p = 0.0
-    for i in range(begin, 3 * SCALED):
-        p = family[Family.SCALE] * i * i / (SCALED * SCALED)
+    for i in range(begin, 3 * COARSE):
+        p = family[Family.SCALE] * i * i / (COARSE * COARSE)
         value, duration = canonical_value(p, family, axis)
         upper = p
         f_upper = value
         inside = duration >= 0.0
         if inside and lower < 0.0 and i > 0:
-            outside = family[Family.SCALE] * (i - 1) * (i - 1) / (SCALED * SCALED)
+            outside = family[Family.SCALE] * (i - 1) * (i - 1) / (COARSE * COARSE)
             lower = window_edge(p, outside, family, axis)
             f_lower, duration = canonical_value(lower, family, axis)
         if not inside and lower >= 0.0:
@@ -63,6 +62,6 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         if inside:
             lower = p
             f_lower = value
-            if i > SCALED and value > target:
+            if i > COARSE and value > target:
                 return -1.0
     return -1.0

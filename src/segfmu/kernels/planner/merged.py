@@ -4,7 +4,7 @@ Reversal of time and mirroring of the position reduce every branch to the canoni
 search.py searches by distance or by duration.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, HALVINGS, NEARLY
+from segfmu.kernels.numerics.numbers import EQUAL, FINE, HALVINGS, NEARLY, TRIES
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.members import member_search
@@ -21,14 +21,8 @@ from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
-# the least first level, and steps by which a bracket is probed, as shares; where it is that narrow,
-# what exceeds the limit is next to it
-LOWEST = 0.001
-PROBE = 1e-3
+# where a bracket is that narrow, as a share, what exceeds the limit is next to it
 NARROW = 1e-5
-# halvings to a level that exists, and steps by secants that are flat
-EXISTS = 24
-FLAT_STEPS = 24
 # the least scale of a family, as a share of the time
 SCALE = 0.1
 
@@ -196,9 +190,9 @@ def level_within(
     v = family[Family.START_VELOCITY]
     rounding = EQUAL * fastest_velocity(axis)
     margin = NEARLY * fastest_velocity(axis)
-    too_low = max(family[Family.A], max(family[Family.B], LOWEST * outside))
+    too_low = max(family[Family.A], max(family[Family.B], FINE * outside))
     inside = too_low
-    for i in range(EXISTS):
+    for i in range(TRIES):
         count = merged_form(phases, inside, family, axis)
         duration, y, end, lowest, highest = measure_phases(phases, max(count, 0), v, 0.0, axis)
         peak = highest
@@ -243,7 +237,7 @@ def highest_within(
         probing = False
         if constant:
             e_inside = 0.0
-            if steps > FLAT_STEPS:
+            if steps > TRIES:
                 break
         elif abs(e_inside) <= margin:
             probing = True
@@ -252,7 +246,7 @@ def highest_within(
         else:
             share = 1.0 - root_share(outside, inside, before, e_outside, e_inside, e_before)
         if probing:
-            share = PROBE
+            share = FINE
         level = inside + share * (outside - inside)
         count = merged_form(phases, level, family, axis)
         error = 0.0

@@ -3,7 +3,7 @@
 from math import floor, sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
-from segfmu.kernels.numerics.numbers import EQUAL, ROUNDED
+from segfmu.kernels.numerics.numbers import CLOSE, EQUAL, FINE, ROUNDED
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import (
@@ -14,11 +14,8 @@ from segfmu.kernels.planner.sequence import (
 )
 
 # share of a time or pace by which it is changed for slopes: their errors and those of rounding are
-# about alike; a time counts as this share of the whole at least
+# about alike
 DIFFERENCE = 1e-5
-LEAST_TIME = 1e-3
-# added to a matrix for a step, as a share of its largest entry
-SHIFT = 1e-12
 # a step in times of the whole duration that only a singular matrix gives: slopes have five digits
 SINGULAR = 1e4
 # of a level's time, what a step takes off or adds at most; of the whole, so that it changes its
@@ -32,9 +29,8 @@ STEPS = 30
 HALVINGS = 8
 # what four steps leave of an error where they get anywhere
 HOPEFUL = 0.7
-# errors beside a solution, and near enough to one to leave the grid GRID
+# errors beside a solution, and the grid of steps that are not near one
 BESIDE = 1e-11
-NEAR = 1e-4
 GRID = 1e-10
 # what a step has to take off an error, as a share of its length
 GAINED = 1e-4
@@ -93,7 +89,7 @@ def time_column(
             before[j, i] = nodes[column + j, i]
     for j in range(2):
         spent = spent - nodes[column + j, Node.RAMP] - nodes[column + j, Node.HOLD]
-    change = DIFFERENCE * (abs(nodes[column, Node.TIME]) + LEAST_TIME * passing[Passing.TIME])
+    change = DIFFERENCE * (abs(nodes[column, Node.TIME]) + FINE * passing[Passing.TIME])
     nodes[column, Node.TIME] = nodes[column, Node.TIME] + change
     row = first_row(column, passing, nodes)
     begin = row
@@ -128,7 +124,7 @@ def whole_column(
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     time = nodes[column, Node.TIME]
-    change = DIFFERENCE * (abs(time) + LEAST_TIME * passing[Passing.TIME])
+    change = DIFFERENCE * (abs(time) + FINE * passing[Passing.TIME])
     nodes[column, Node.TIME] = time + change
     run_sequence(problem, passing, axis, nodes, residual)
     nodes[column, Node.TIME] = time
@@ -157,7 +153,7 @@ def newton_step(
         for i in range(count):
             largest = max(largest, abs(work[PlanWork.MATRIX + i, j]))
         # far from singular to rounding errors; the step changes by as little, mirrored or not
-        added = SHIFT * largest
+        added = EQUAL * largest
         if largest == 0.0:
             added = 1.0
         diagonal = work[PlanWork.MATRIX + j, j]
@@ -232,7 +228,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
     error = residual_norm(count, residual)
     quick = ramps_suffice(axis) or passing[Passing.QUICK] != 0.0
     earlier = error
-    # all steps beyond NEAR count as one: rounding decides how many they are
+    # all steps beyond CLOSE count as one: rounding decides how many they are
     spent = work[PlanWork.TIGHTEN, Tighten.STEPS] + 1.0
     for i in range(STEPS):
         # what is left are rounding errors
@@ -248,7 +244,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
         # far from the root the method can be chaotic: rounding errors, which differ by processor,
         # must not decide where it goes
         grid = 0.0
-        if error > NEAR:
+        if error > CLOSE:
             grid = GRID
             spent = spent + 1.0
         reached = error

@@ -5,7 +5,7 @@ a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If t
 sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME, WORTH
+from segfmu.kernels.numerics.numbers import EQUAL, SAME, TRIES, WORTH
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
@@ -30,7 +30,6 @@ from segfmu.kernels.planner.tighten import EACH, tighten
 
 # the pace of a sequence that is slowed down, from the one before; halvings end at this difference
 SLOWER = 0.97
-PACES = 24
 PACE_ERROR = 1e-4
 # steps of a duration that is approached: the least one as a share of the way, and what tightening
 # may take in all
@@ -47,7 +46,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     fast = 1.0
     slow = 0.0
-    for i in range(PACES):
+    for i in range(TRIES):
         passing[Passing.PACE] = SLOWER * fast
         if slow > 0.0:
             passing[Passing.PACE] = 0.5 * (slow + fast)

@@ -4,6 +4,7 @@ BY_TIME of a family (Family) selects one of them, TARGET is its value.
 """
 
 from segfmu.kernels.numerics.numbers import (
+    COARSE,
     COVERED,
     GOLDEN,
     HALVINGS,
@@ -18,10 +19,9 @@ from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
 
-# samples up to a member that distances rise to, and of shorter members: more take more time than
-# the few plans gain that they shorten
+# samples up to a member that distances rise to: more take more time than the few plans gain that
+# they shorten
 RISING = 8
-SHORTER = 12
 
 
 def window_edge(
@@ -197,10 +197,10 @@ def shorter_member(f_start: float, family: 'float[:]', axis: 'float[:]') -> floa
     negative.
     """
     span = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])
-    for i in range(1, SHORTER + 1):
+    for i in range(1, COARSE + 1):
         if only_farther(family):
             return -1.0
-        p = span * i * i / (SHORTER * SHORTER)
+        p = span * i * i / (COARSE * COARSE)
         value, duration = canonical_value(p, family, axis)
         if duration < 0.0:
             return -1.0

@@ -34,11 +34,10 @@ from segfmu.kernels.planner.sides import side_limit
 # levels of a start, as shares of those that alone fill the duration
 ALTERNATING = 0.7
 FASTER = 0.35
-# levels of ordinary profiles meet at zero: where the snap has them, they are higher by this; and
-# two attempts with more and less
+# levels of ordinary profiles meet at zero: where the snap has them, they are higher by this, which
+# an attempt takes off again; and another one has more
 HIGHER = 1.25
 MORE = 1.3
-LESS = 0.8
 # what a sequence without plateaus may exceed limits by, and what it takes of one with them
 BEYOND = 0.3
 SHORTER = 0.9
@@ -161,7 +160,7 @@ def set_sequence(
     if attempt % 3 == 1:
         factor = MORE * factor
     elif attempt % 3 == 2:
-        factor = LESS * factor
+        factor = factor / HIGHER
     for i in range(int(passing[Passing.COUNT])):
         row = PlanWork.NODES + i
         if work[row, Node.KIND] == 0.0:

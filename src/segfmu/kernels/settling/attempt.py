@@ -5,7 +5,7 @@ goes back to zero. Let go so, the derivative stays inside its limits. Where it c
 attempt is cut (brake.py); the rest of it shows that there is a way on.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER, SAME
+from segfmu.kernels.numerics.numbers import EXCEEDED, FINE, HALVINGS, NEARLY, NEVER, SAME
 from segfmu.kernels.numerics.polynomials import polynomial_differentiate, polynomial_shift
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
@@ -14,15 +14,6 @@ from segfmu.kernels.trajectory.check import bernstein_coefficients, within
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Brake, Check, Timing
-
-# of the range of a derivative: by how much it may leave its limits in an attempt, which is checked
-# once more
-INSIDE = 1e-10
-# of a piece: a part in which a derivative crosses its limit once, and the shortest one
-MONOTONIC = 1e-3
-CLOSEST = 1e-9
-# halvings to where a derivative comes inside
-CROSSINGS = 60
 
 
 def outside_by(value: float, order: int, lead: 'float[:,:]') -> float:
@@ -141,7 +132,8 @@ def stays_inside(
     check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
     low = lead[LeadWork.LOWEST, order]
     high = lead[LeadWork.HIGHEST, order]
-    slack = INSIDE * (high - low)
+    # of the range, as an attempt is checked once more
+    slack = EXCEEDED * (high - low)
     for row in range(first, last):
         count = part_hull(order, row, 0.0, timing[row, Timing.LENGTH], lead, coefficients)
         if not is_hull_inside(count, low, high, lead):
@@ -182,10 +174,10 @@ def inside_from(
                 if (
                     is_hull_inside(count, 0.0, NEVER, lead)
                     or is_hull_inside(count, -NEVER, 0.0, lead)
-                    or step <= MONOTONIC * length
+                    or step <= FINE * length
                 ):
                     return row, time_crossed(order, row, lower, upper, lead, coefficients)
-            if step > CLOSEST * length:
+            if step > NEARLY * length:
                 step = 0.25 * step
             else:
                 upper = lower
@@ -196,8 +188,10 @@ def time_crossed(
     order: int, row: int, lower: float, upper: float, lead: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> float:
     """Local time of a piece [s] at which a derivative comes inside, between two times."""
-    for k in range(CROSSINGS):
+    for k in range(HALVINGS):
         middle = 0.5 * (lower + upper)
+        if middle == lower or middle == upper:
+            break
         value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order)
         if outside_by(value, order, lead) > 0.0:
             lower = middle

@@ -13,7 +13,7 @@ With the smoothness 2 this is the brake of Ruckig (Berscheid and Kroeger, Jerk-l
 Trajectory Generation with Arbitrary Target States, RSS 2021).
 """
 
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import FINE, NEVER
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.brake_limits import set_box
 from segfmu.kernels.settling.brake_pieces import (
@@ -32,8 +32,6 @@ from segfmu.kernels.trajectory.records import Brake, Timing
 # than this share
 STEEPEST = 8
 SHORTER = 0.997
-# share of its time below which a brake is taken that turns round again
-TURNED = 0.999
 
 
 def clip_reached(lead: 'float[:,:]') -> None:
@@ -192,7 +190,7 @@ def choose_brake(
             for i in range(1, 5):
                 report[Brake.GENTLE + order] = 0.25 * i
                 count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-                if count > 0 and report[Brake.UNTIL] < TURNED * best:
+                if count > 0 and report[Brake.UNTIL] < (1.0 - FINE) * best:
                     best = report[Brake.UNTIL]
                     gentle = report[Brake.GENTLE + order]
             report[Brake.GENTLE + order] = gentle

@@ -4,12 +4,12 @@ from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# what velocity and acceleration at the end of a plan miss by rounding, as a share of the limits
+# what derivatives at the ends of a plan or a lead miss by rounding, as a share of the limits
 MISSED = 1e-11
 
 
 def end_rounding() -> float:
-    """Rounding errors of velocity and acceleration at the end of a plan, relative to the limits."""
+    """Rounding errors of derivatives at an end of a plan or a lead, relative to the limits."""
     return MISSED
 
 

@@ -4,7 +4,7 @@ To the next derivative it is what a position is to a velocity: that goes as far 
 there, and would be let go in time (attempt.py).
 """
 
-from segfmu.kernels.numerics.numbers import HALVINGS, NEVER
+from segfmu.kernels.numerics.numbers import FINE, HALVINGS, NEVER
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.attempt import (
@@ -17,9 +17,6 @@ from segfmu.kernels.settling.attempt import (
 from segfmu.kernels.settling.brake_pieces import append_pieces
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake
-
-# a derivative ends this close to its other limit, as a share of the range
-ROOM = 1e-3
 
 
 def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
@@ -42,7 +39,7 @@ def deepest_level(
     At the limit of the derivative above it ends beyond.
     """
     edge = level_limit(order, side, lead)
-    near = ROOM * (lead[LeadWork.HIGHEST, order] - lead[LeadWork.LOWEST, order])
+    near = FINE * (lead[LeadWork.HIGHEST, order] - lead[LeadWork.LOWEST, order])
     row, last, e_other = turn_round(order, side, 0.0, settled, lead, timing, coefficients)
     if last < 0 or e_other < 0.0:
         return 0.0
@@ -55,7 +52,7 @@ def deepest_level(
         share = root_share(newest, other, before, e_newest, e_other, e_before)
         level = newest + share * (other - newest)
         row, last, room = turn_round(order, side, level * edge, settled, lead, timing, coefficients)
-        if last < 0 or 0.0 <= room <= near or abs(newest - other) < ROOM:
+        if last < 0 or 0.0 <= room <= near or abs(newest - other) < FINE:
             break
         crossed = room * e_newest < 0.0
         other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)

@@ -6,7 +6,7 @@ there. Where that takes too long, leads over a level are tried (level.py). A sta
 limits is brought inside first (brake.py).
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, EXCEEDED, NEVER
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
@@ -28,9 +28,6 @@ from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# of a limit, what a derivative that is zero at the end of a ramp may differ from it by rounding
-SETTLED = 1e-10
-
 
 def settled_end(
     row: int, last: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
@@ -47,7 +44,7 @@ def settled_end(
         else:
             state[i] = evaluate_piece(coefficients, row, width, length, i)
         if i > 2:
-            if abs(state[i]) > SETTLED * lead[LeadWork.LIMITS, i]:
+            if abs(state[i]) > EXCEEDED * lead[LeadWork.LIMITS, i]:
                 settled = False
             state[i] = 0.0
     state[Chain.TIME] = timing[row, Timing.START] + length

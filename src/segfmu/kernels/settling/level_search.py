@@ -5,17 +5,17 @@ with the present value and zero. With limits above the snap the time jumps often
 over a grid, and refines by smaller steps.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, GAINED, NEVER
+from segfmu.kernels.numerics.numbers import COARSE, EQUAL, GAINED, NEVER
 from segfmu.kernels.planner.records import Axis, Phase, Problem
+from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
-from segfmu.kernels.settling.search import STEEPER, STEEPEST, WORTH_STEEPER
+from segfmu.kernels.settling.search import STEEPEST, WORTH_STEEPER
 from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
 
 # halved steps without a gain, after which a level is no more improved
 USELESS = 4
-# levels of a grid on each side of zero, and each one over the next larger one
-FINEST = 12
+# levels of a grid over the next larger ones
 DENSER = 0.7
 # times over the best one from which a better one may still be found
 HOPEFUL = 1.2
@@ -27,10 +27,10 @@ STEPS = 8
 
 
 def near_zero(i: float) -> float:
-    """Numbers from -1 to 1 for i from -FINEST to FINEST, denser near 0."""
+    """Numbers from -1 to 1 for i from -COARSE to COARSE, denser near 0."""
     if i == 0.0:
         return 0.0
-    share = DENSER ** (FINEST - abs(i))
+    share = DENSER ** (COARSE - abs(i))
     if i < 0.0:
         share = -share
     return share
@@ -94,7 +94,7 @@ def search_grid(
     found = NEVER
     count = 0
     if jumps_often(lead):
-        count = FINEST
+        count = COARSE
     for i in range(-count - 1, count + 1):
         level = kept
         if i >= -count:

@@ -8,8 +8,9 @@ by halved steps, or over a grid where the soonest are the best. The search count
 ramps alone, which are found sooner.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, FINE, NEVER
 from segfmu.kernels.planner.records import Axis, Phase
+from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.trial import (
     is_settled,
@@ -18,9 +19,6 @@ from segfmu.kernels.settling.trial import (
     try_lead,
 )
 
-# a lead that takes at most this share of another one's time is as good: steps to its side, and to
-# the other one, gain less, and so do levels of profiles behind it
-FLAT = 1.001
 # steps around the best end: the first one, as a share of its limit, halved where it gains nothing
 FIRST_STEP = 0.125
 STEPS = 10
@@ -29,9 +27,8 @@ ENDS = 4
 DENSER = 0.25
 # levels of following profiles in turn
 FOLLOWED = 8
-# derivatives that nothing limits are raised by this factor, so often, as long as the time of a lead
+# derivatives that nothing limits are raised (STEEPER) so often, as long as the time of a lead
 # becomes less than this share
-STEEPER = 10.0
 STEEPEST = 4
 WORTH_STEEPER = 0.99
 
@@ -85,7 +82,8 @@ def search_end(
                 if time >= lead[LeadWork.BEST, Lead.TIME]:
                     nearest = min(nearest, time)
         if lead[LeadWork.BEST_ENDS, stage] == around:
-            if nearest <= FLAT * lead[LeadWork.BEST, Lead.TIME]:
+            # steps to its side, and to the other one, gain less
+            if nearest <= (1.0 + FINE) * lead[LeadWork.BEST, Lead.TIME]:
                 break
             step = 0.5 * step
 
@@ -121,7 +119,7 @@ def try_soonest(
         level = first[Phase.ACCELERATION] + first[Phase.CHANGE]
         lead[LeadWork.ENDS, stage] = min(max(level, -bound), bound)
         time = try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
-        if before >= 0.0 and FLAT * lead[LeadWork.BEST, Lead.TIME] > before:
+        if before >= 0.0 and (1.0 + FINE) * lead[LeadWork.BEST, Lead.TIME] > before:
             break
 
 

@@ -1,11 +1,12 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
-from segfmu.kernels.numerics.numbers import EQUAL, NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, NEARLY, NEVER
 from segfmu.kernels.planner.phases import total_duration
 from segfmu.kernels.planner.profile import plain_profile, shortest_ramps
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
+from segfmu.kernels.settling.ends import end_rounding
 from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.stages import append_phases, settle, settle_above, stage_phases
@@ -13,10 +14,8 @@ from segfmu.kernels.trajectory.check import check_axis, keep_inside
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# of the limits: what derivatives may exceed, jump by between pieces, and differ from the start by
-KEPT = 1e-9
+# of the limits: what derivatives may jump by between pieces
 CONTINUOUS = 5e-10
-BEGUN = 1e-11
 
 
 def set_limits(steep: float, lead: 'float[:,:]') -> None:
@@ -105,7 +104,7 @@ def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
     width = coefficients.shape[1]
     for i in range(1, width // 2 + 1):
         value = evaluate_piece(coefficients, LeadRows.PIECES, width, 0.0, i)
-        if not abs(value - lead[LeadWork.NOW, i]) <= BEGUN * lead[LeadWork.LIMITS, i]:
+        if not abs(value - lead[LeadWork.NOW, i]) <= end_rounding() * lead[LeadWork.LIMITS, i]:
             return False
     return True
 
@@ -135,7 +134,7 @@ def keep_better(
             return False
         keep_inside(check)
         if not check_axis(
-            first, last, timing, coefficients, limits, lower, KEPT, CONTINUOUS, check
+            first, last, timing, coefficients, limits, lower, NEARLY, CONTINUOUS, check
         ):
             return False
     keep_lead(last, time, lead, timing, coefficients)
