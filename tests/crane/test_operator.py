@@ -465,6 +465,42 @@ def test_drives_that_are_too_weak_make_the_motion_slower() -> None:
     assert operator.refused == "drives"
 
 
+@pytest.mark.parametrize("share", [0.99, 0.7, 0.1])
+def test_a_drive_that_is_slower_than_the_limit_takes_what_it_can(share: float) -> None:
+    fastest = 0.4 * share
+    operator = Operator(
+        LAB.crane, LEVEL, [0.0, 0.0, -0.5], bounds=ActuatorBounds(velocity=fastest)
+    )
+    operator.command("velocity", velocity=[0.4, 0.0, 0.0])
+    follow(operator, 10.0)
+    assert 0.93 * fastest < operator.load[1, 0] <= fastest
+    assert (operator.status, operator.refused) == ("reduced", "drives")
+    operator.command("stop")
+    follow(operator, 5.0)
+    np.testing.assert_allclose(operator.load[1:], 0.0, atol=1e-12)
+    operator.command("target", target=[0.2, 0.3, -0.6])
+    follow(operator, 0.1)
+    assert operator.status == "taken"
+    follow(operator, operator.rests_at)
+    np.testing.assert_allclose(operator.load[0], [0.2, 0.3, -0.6], atol=1e-9)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_a_stop_begins_soon_where_only_flat_ramps_keep_the_drives(axis: int) -> None:
+    # no limit of the snap: the carriage would have to jerk
+    steep = Limits(velocity=0.4, acceleration=0.5, jerk=[20.0, 5.0, 2.0])
+    bounds = ActuatorBounds(acceleration=0.15, force=[0.8, 0.5, 10.0])
+    operator = Operator(LAB.crane, steep, [0.0, 0.0, -0.5], bounds=bounds)
+    operator.command("target", target=np.where(np.arange(3) == axis, 20.0, [0.0, 0.0, -0.5]))
+    for _ in range(4):
+        follow(operator, 0.6)
+        stopped = copy(operator)
+        stopped.command("stop")
+        follow(stopped, 0.5)
+        assert stopped.status == "taken"
+        assert stopped.rests_at - operator.time < 8.0
+
+
 def test_targets_take_little_longer_than_the_shortest_plan_within_the_drives() -> None:
     # the shortest one by a search over the limits; half of the targets are too much for the drives
     rng = np.random.default_rng(9)

@@ -391,9 +391,10 @@ static void write_wish(int64_t mode, double scale, array_double_1d aim, array_do
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_aim(int64_t row, array_double_2d operation);
 static bool is_slower(int64_t attempt);
-static double pace_of(int64_t attempt, array_double_2d operation);
-static void note_pace(int64_t attempt, double told, array_double_2d operation);
-static double share_of(int64_t attempt, int64_t axis);
+static double ease_of(int64_t attempt, int64_t place, array_double_2d operation);
+static void note_ease(int64_t attempt, double pace, double steepness, double speed, array_double_2d operation);
+static void stop_as_before(array_double_2d operation);
+static double share_of(int64_t attempt, int64_t axis, array_double_2d operation);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known);
@@ -535,8 +536,9 @@ static bool calm_on(double elapsed, array_double_2d operation, array_double_2d k
 static bool is_hanging(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static bool keeps_at(double pace, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static double pace_within(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
 static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
@@ -1002,7 +1004,7 @@ static double depth_towards(int64_t axis, double low, double high, double place,
 static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
-static void choose_pace(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_blocked(array_double_2d operation);
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
@@ -1011,6 +1013,7 @@ static void put_off(int64_t attempt, int64_t failed, array_double_2d operation);
 static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static bool is_stop(array_double_1d aim);
 static int64_t rank(int64_t attempt, array_double_2d operation);
+static bool is_slowed(array_double_2d operation);
 static void note_taken(int64_t attempt, array_double_2d operation);
 static void take_plan(int64_t attempt, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d known, array_double_2d work);
@@ -10236,26 +10239,46 @@ return 1;
 }
 return (attempt == 7) || (attempt == 8);
 }
-static double pace_of(int64_t attempt, array_double_2d operation) {
+static double ease_of(int64_t attempt, int64_t place, array_double_2d operation) {
 double result;
 if (is_slower(attempt)) {
-result = *cspan_at(&operation, 4, 6);
+result = *cspan_at(&operation, 4, place);
 return result;
 }
 return 1.0;
 }
-static void note_pace(int64_t attempt, double told, array_double_2d operation) {
+static void note_ease(int64_t attempt, double pace, double steepness, double speed, array_double_2d operation) {
 double share;
+array_double_1d progress;
 share = 0.7;
-if (told < 1.0) {
-share = 0.98 * told;
+if (span_min(pace, speed) < 1.0) {
+share = 0.98 * pace;
 }
-if (is_slower(attempt)) {
+if (is_slower(attempt) && (steepness == 1.0)) {
 share = span_min(share, 0.7);
 }
-*cspan_at(&operation, 4, 6) = share * pace_of(attempt, operation);
+if (speed < 1.0) {
+speed = 0.98 * speed;
 }
-static double share_of(int64_t attempt, int64_t axis) {
+progress = span_row(&operation, 4);
+*cspan_at(&progress, 6) = share * ease_of(attempt, 6, operation);
+*cspan_at(&progress, 7) = steepness * ease_of(attempt, 7, operation);
+*cspan_at(&progress, 8) = speed * ease_of(attempt, 8, operation);
+}
+static void stop_as_before(array_double_2d operation) {
+array_double_1d progress;
+double pace, steepness;
+progress = span_row(&operation, 4);
+pace = *cspan_at(&progress, 9);
+steepness = *cspan_at(&progress, 10);
+if ((pace >= 1.0) || (pace <= *cspan_at(&progress, 6))) {
+return;
+}
+*cspan_at(&progress, 6) = pace;
+*cspan_at(&progress, 7) = steepness;
+}
+static double share_of(int64_t attempt, int64_t axis, array_double_2d operation) {
+double result;
 if (attempt >= 6) {
 return 0.0;
 }
@@ -10268,7 +10291,8 @@ return 0.0;
 if ((attempt == 5) && (axis < 2)) {
 return 0.0;
 }
-return 1.0;
+result = ease_of(attempt, 8, operation);
+return result;
 }
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim) {
 bool blocked;
@@ -10301,19 +10325,27 @@ share = *cspan_at(&limits, place, axis, i) / *cspan_at(&limits, 0, axis, i);
 }
 }
 static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known) {
-double pace, scale, power;
+double pace, steepness, scale, power, given;
 int64_t axis, i;
-pace = pace_of(attempt, operation);
+pace = ease_of(attempt, 6, operation);
+steepness = ease_of(attempt, 7, operation);
 scale = 1.0;
 if ((*cspan_at(&operation, 1, 0) > 0.5) && (attempt < 6)) {
-scale = *cspan_at(&operation, 1, 4);
+scale = *cspan_at(&operation, 1, 4) * ease_of(attempt, 8, operation);
 }
 for (axis = 0; axis < 3; axis += 1) {
 power = pace;
 *cspan_at(&limits, 1, axis, 0) = scale * *cspan_at(&limits, 0, axis, 0);
 for (i = 1; i < limits.shape[2]; i += 1) {
 power = power * pace;
-*cspan_at(&limits, 1, axis, i) = power * *cspan_at(&limits, 0, axis, i);
+if (i > 1) {
+power = power * steepness;
+}
+given = *cspan_at(&limits, 0, axis, i);
+if ((i == 3) && (given == 0.0) && is_slower(attempt)) {
+given = *cspan_at(&limits, 0, axis, 2) * *cspan_at(&limits, 0, axis, 2) / *cspan_at(&limits, 0, axis, 1);
+}
+*cspan_at(&limits, 1, axis, i) = power * given;
 }
 }
 set_lower_of(1, operation, limits, known);
@@ -12727,9 +12759,9 @@ for (i = 0; i < 102; i += 1) {
 *cspan_at(&swing, 0) = 0.0;
 *cspan_at(&swing, 31) = *cspan_at(&command, 0) + plan_end(0, 0, timing, offsets);
 *cspan_at(&progress, 0) = *cspan_at(&command, 0);
-*cspan_at(&progress, 10) = *cspan_at(&progress, 10) + 1.0;
+*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
 *cspan_at(&progress, 3) = 0.0;
-*cspan_at(&progress, 7) = 0.0;
+*cspan_at(&progress, 11) = 0.0;
 for (i = 0; i < 5; i += 1) {
 *cspan_at(&operation, 3, i) = *cspan_at(&operation, 1, i);
 }
@@ -12747,7 +12779,7 @@ progress = span_row(&operation, 4);
 aim = span_row(&operation, 1);
 radian = 20.0 * resolved_step(*cspan_at(&known, 0, 3), span_row(&operation, 32));
 retry = *cspan_at(&operation, 0, 0) + radian;
-*cspan_at(&progress, 11) = *cspan_at(&progress, 11) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
 if (status != 0) {
 *cspan_at(&progress, 2) = status;
@@ -12879,7 +12911,7 @@ array_double_1d progress;
 double retry;
 int64_t result;
 progress = span_row(&operation, 4);
-*cspan_at(&progress, 12) = *cspan_at(&operation, 0, 20);
+*cspan_at(&progress, 16) = *cspan_at(&operation, 0, 20);
 if (!is_hanging(span_row(&operation, 0))) {
 *cspan_at(&progress, 1) = 3;
 *cspan_at(&progress, 2) = 3;
@@ -12906,26 +12938,33 @@ if (wanted_mode(command) == 5) {
 return 0;
 }
 if (!(*cspan_at(&command, 20) > 0.5)) {
-*cspan_at(&progress, 12) = 0.0;
+*cspan_at(&progress, 16) = 0.0;
 return 0;
 }
-if (*cspan_at(&progress, 12) > 0.5) {
+if (*cspan_at(&progress, 16) > 0.5) {
 return 0;
 }
 result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
 return result;
 }
-static bool keeps_at(double pace, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double share;
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double power, share;
 int64_t order, axis, place;
 bool result;
 write_load(time, time, timing, coefficients, offsets, work);
-share = pace;
-for (order = 2; order < 5; order += 1) {
-share = share * pace;
+power = pace;
+for (order = 1; order < 5; order += 1) {
+share = power;
+if ((order == 1) && (speed > 0.0)) {
+share = speed;
+}
 for (axis = 0; axis < 3; axis += 1) {
 place = 89 + 0 + 3 * order + axis;
 *cspan_at(&work, place, 0) = share * *cspan_at(&work, place, 0);
+}
+power = power * pace;
+if (order > 1) {
+power = power * steepness;
 }
 }
 if (!write_demands(span_row(&known, 0), work)) {
@@ -12934,7 +12973,7 @@ return 0;
 result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
 return result;
 }
-static double pace_within(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
 double time, until, at, low, tried, pace;
 int64_t k, i;
 pace = 1.0;
@@ -12946,7 +12985,7 @@ at = time + (until - time) * k / 4;
 low = 1.0;
 tried = pace;
 for (i = 0; i < 2 + 8; i += 1) {
-if (keeps_at(tried, at, timing, coefficients, offsets, known, work)) {
+if (keeps_at(tried, speed, steepness, at, timing, coefficients, offsets, known, work)) {
 low = tried;
 if (i == 0) {
 break;
@@ -12954,11 +12993,11 @@ break;
 }
 else {
 if (i == 1) {
-return 1.0;
+return 0.0;
 }
 pace = tried;
 }
-tried = 0.25;
+tried = 0.0625;
 if (i > 0) {
 tried = 0.5 * (low + pace);
 }
@@ -12969,6 +13008,43 @@ time = until;
 until = interval_end(time, timing, offsets);
 }
 return pace;
+}
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double speed, best, steepest, least, steepness, pace, takes;
+int64_t Dummy_0000;
+speed = 1.0;
+best = 1.0;
+steepest = 1.0;
+least = 1e+300;
+for (Dummy_0000 = 0; Dummy_0000 < 2; Dummy_0000 += 1) {
+steepness = 1.0;
+while((1.0 + 0.5 / steepness < least) && (steepness > 0.01)) {
+pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work);
+if (pace > 0.0) {
+takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness);
+if (takes < least) {
+least = takes;
+best = pace;
+steepest = steepness;
+}
+}
+steepness = 0.25 * steepness;
+}
+if (least < 1e+300) {
+(*result_0) = best;
+(*result_1) = steepest;
+(*result_2) = speed;
+return 0;
+}
+speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work);
+if (speed == 0.0) {
+break;
+}
+}
+(*result_0) = 1.0;
+(*result_1) = 1.0;
+(*result_2) = 1.0;
+return 0;
 }
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis) {
 double first, slope, last;
@@ -22802,23 +22878,28 @@ array_double_1d progress;
 int64_t attempt;
 progress = span_row(&operation, 4);
 attempt = (int64_t)(*cspan_at(&progress, 3));
-if ((*cspan_at(&progress, 7) > 0.0) || (!is_aim(3, operation))) {
+if ((*cspan_at(&progress, 11) > 0.0) || (!is_aim(3, operation))) {
 return 0;
 }
 return (attempt == 0) || (attempt == 10);
 }
-static void choose_pace(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-double told;
+static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+double pace, steepness, speed;
 int64_t first;
 if (!is_slower(attempt + 1)) {
 return;
 }
-told = 1.0;
+pace = 1.0;
+steepness = 1.0;
+speed = 1.0;
 if (status == 6) {
 first = 4 * 4;
-told = pace_within(span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
+ease_within(&pace, &steepness, &speed, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
 }
-note_pace(attempt, told, operation);
+note_ease(attempt, pace, steepness, speed, operation);
+if (attempt == 6) {
+stop_as_before(operation);
+}
 }
 static bool keeps_blocked(array_double_2d operation) {
 bool result;
@@ -22832,15 +22913,16 @@ static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, arr
 array_double_1d progress;
 int64_t following;
 progress = span_row(&operation, 4);
-following = (int64_t)(*cspan_at(&progress, 7));
-*cspan_at(&progress, 7) = 0.0;
+following = (int64_t)(*cspan_at(&progress, 11));
+*cspan_at(&progress, 11) = 0.0;
 if (following > 0) {
 (*result_0_0001) = following - 1;
-(*result_1_0001) = (int64_t)(*cspan_at(&progress, 8));
+(*result_1_0001) = (int64_t)(*cspan_at(&progress, 12));
 return 0;
 }
 open_ways(operation, known);
-*cspan_at(&progress, 9) = 0.0;
+*cspan_at(&progress, 13) = 0.0;
+*cspan_at(&progress, 8) = 1.0;
 (*result_0_0001) = 0;
 (*result_1_0001) = 0;
 return 0;
@@ -22869,8 +22951,8 @@ return result;
 static void put_off(int64_t attempt, int64_t failed, array_double_2d operation) {
 array_double_1d progress;
 progress = span_row(&operation, 4);
-*cspan_at(&progress, 7) = 1 + attempt;
-*cspan_at(&progress, 8) = failed;
+*cspan_at(&progress, 11) = 1 + attempt;
+*cspan_at(&progress, 12) = failed;
 if (!is_aim(3, operation)) {
 *cspan_at(&progress, 1) = 7;
 }
@@ -22887,7 +22969,7 @@ return result;
 }
 for (axis = 0; axis < 3; axis += 1) {
 *cspan_at(&operation, 22, axis) = *cspan_at(&aim, 1 + axis);
-*cspan_at(&operation, 12, axis) = share_of(attempt, axis);
+*cspan_at(&operation, 12, axis) = share_of(attempt, axis, operation);
 }
 slow = is_slower(attempt) && (attempt < 6);
 result = seek_velocity(slow, operation, span_matrix(&limits, 1), timing, coefficients, offsets, states, lead);
@@ -22909,12 +22991,22 @@ if (is_stop(span_row(&operation, 1))) {
 return 0;
 }
 if (attempt <= 2) {
-if (*cspan_at(&operation, 4, 9) > 0.0) {
+if (*cspan_at(&operation, 4, 13) > 0.0) {
 return 10;
 }
 return 0;
 }
 return attempt;
+}
+static bool is_slowed(array_double_2d operation) {
+array_double_1d aim;
+bool result;
+aim = span_row(&operation, 1);
+if ((*cspan_at(&aim, 0) > 0.5) || is_stop(aim)) {
+return 0;
+}
+result = *cspan_at(&operation, 4, 8) < 1.0;
+return result;
 }
 static void note_taken(int64_t attempt, array_double_2d operation) {
 array_double_1d command;
@@ -22943,9 +23035,9 @@ for (i = 0; i < 4; i += 1) {
 }
 keep_ways(operation);
 *cspan_at(&progress, 0) = *cspan_at(&operation, 0, 0);
-*cspan_at(&progress, 10) = *cspan_at(&progress, 10) + 1.0;
+*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
 *cspan_at(&progress, 1) = 0;
-if (attempt > 0) {
+if ((attempt > 0) || is_slowed(operation)) {
 *cspan_at(&progress, 1) = 1;
 }
 note_taken(attempt, operation);
@@ -22956,13 +23048,13 @@ progress = span_row(&operation, 4);
 if ((attempt >= 6) || (*cspan_at(&operation, 1, 0) > 0.5)) {
 return 0;
 }
-if (!(*cspan_at(&progress, 9) < 3.0)) {
+if (!(*cspan_at(&progress, 13) < 3.0)) {
 return 0;
 }
 if (!end_before_obstacle(operation, known, work)) {
 return 0;
 }
-*cspan_at(&progress, 9) = *cspan_at(&progress, 9) + 1.0;
+*cspan_at(&progress, 13) = *cspan_at(&progress, 13) + 1.0;
 return 1;
 }
 static bool holds_until_next(array_double_2d operation) {
@@ -22982,7 +23074,7 @@ copy_plan(1, 4, timing, coefficients, offsets);
 if (!prolong_holds(elapsed, operation, timing, coefficients, offsets)) {
 return 0;
 }
-*cspan_at(&progress, 11) = *cspan_at(&progress, 11) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 status = prove_plan(operation, limits, known, timing, coefficients, offsets, states, lead, work, stack);
 if (status != 0) {
 *cspan_at(&progress, 2) = status;
@@ -23009,19 +23101,21 @@ put_off(attempt, failed, operation);
 return 0;
 }
 tries = tries + 1;
-*cspan_at(&progress, 11) = *cspan_at(&progress, 11) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 status = 2;
 if (seek_plan(attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead, work)) {
 status = prove_plan(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets, states, lead, work, stack);
 }
 if (status == 0) {
+*cspan_at(&progress, 9) = ease_of(attempt, 6, operation);
+*cspan_at(&progress, 10) = ease_of(attempt, 7, operation);
 take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
 return 1;
 }
-if ((failed == 0) && (*cspan_at(&progress, 9) == 0.0)) {
+if ((failed == 0) && (*cspan_at(&progress, 13) == 0.0)) {
 *cspan_at(&progress, 2) = status;
 }
-choose_pace(attempt, status, operation, known, timing, coefficients, offsets, work);
+choose_ease(attempt, status, operation, known, timing, coefficients, offsets, work);
 if (!((status == 5) && blocks(attempt, operation, known, work))) {
 failed = status;
 attempt = attempt + 1;
@@ -23087,10 +23181,10 @@ for (i = 0; i < 4; i += 1) {
 *cspan_at(&operation, 6 + axis, i) = 0.0;
 }
 }
-*cspan_at(&progress, 10) = *cspan_at(&progress, 10) + 1.0;
+*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
 *cspan_at(&progress, 1) = 0;
 *cspan_at(&progress, 3) = 0.0;
-*cspan_at(&progress, 7) = 0.0;
+*cspan_at(&progress, 11) = 0.0;
 *cspan_at(&progress, 4) = *cspan_at(&operation, 0, 0);
 *cspan_at(&progress, 5) = 5;
 *cspan_at(&operation, 32, 31) = *cspan_at(&operation, 0, 0);
@@ -23114,7 +23208,7 @@ if (*cspan_at(&progress, 3) == 0) {
 result = holds_long_enough(elapsed, operation);
 return result;
 }
-if ((*cspan_at(&progress, 7) > 0.0) || is_due(operation)) {
+if ((*cspan_at(&progress, 11) > 0.0) || is_due(operation)) {
 return 0;
 }
 result = (!is_prolonged(operation)) || holds_long_enough(elapsed, operation);
@@ -23171,7 +23265,7 @@ for (i = 0; i < 5; i += 1) {
 }
 write_aim(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets);
 if (!is_aim(2, operation)) {
-*cspan_at(&progress, 7) = 0.0;
+*cspan_at(&progress, 11) = 0.0;
 }
 if (is_served(elapsed, operation)) {
 return 0;
@@ -23224,7 +23318,7 @@ if (is_calming(operation)) {
 result = *cspan_at(&swing, 31);
 return result;
 }
-if ((*cspan_at(&progress, 3) > 0.0) || (*cspan_at(&progress, 7) > 0.0)) {
+if ((*cspan_at(&progress, 3) > 0.0) || (*cspan_at(&progress, 11) > 0.0)) {
 result = span_max(*cspan_at(&progress, 4), *cspan_at(&command, 0) + 0.25 * *cspan_at(&command, 14));
 return result;
 }

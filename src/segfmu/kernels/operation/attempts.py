@@ -30,27 +30,45 @@ def is_slower(attempt: int) -> bool:
     return attempt == Attempt.STOP_SLOWER or attempt == Attempt.STOP_SLOWEST
 
 
-def pace_of(attempt: int, operation: 'float[:,:]') -> float:
-    """Pace of an attempt: limits of order i are pace^i of those given, from the acceleration on."""
+def ease_of(attempt: int, place: int, operation: 'float[:,:]') -> float:
+    """Pace, steepness or speed of an attempt, by its place in `Progress`; see `set_attempt`."""
     if is_slower(attempt):
-        return operation[Operation.PROGRESS, Progress.PACE]
+        return operation[Operation.PROGRESS, place]
     return 1.0
 
 
-def note_pace(attempt: int, told: float, operation: 'float[:,:]') -> None:
-    """Note the pace of the next attempt; told: the share that the plan of the last one tells.
-
-    1 if it tells none.
-    """
+def note_ease(
+    attempt: int, pace: float, steepness: float, speed: float, operation: 'float[:,:]'
+) -> None:
+    """Note how slow the next attempt is; pace, steepness, speed: what the last one tells, or 1."""
     share = CALMER
-    if told < 1.0:
-        share = CLOSER * told
-    if is_slower(attempt):
+    if min(pace, speed) < 1.0:
+        share = CLOSER * pace
+    if is_slower(attempt) and steepness == 1.0:
         share = min(share, CALMER)
-    operation[Operation.PROGRESS, Progress.PACE] = share * pace_of(attempt, operation)
+    if speed < 1.0:
+        speed = CLOSER * speed
+    progress = operation[Operation.PROGRESS, :]
+    progress[Progress.PACE] = share * ease_of(attempt, Progress.PACE, operation)
+    progress[Progress.STEEPNESS] = steepness * ease_of(attempt, Progress.STEEPNESS, operation)
+    progress[Progress.SPEED] = speed * ease_of(attempt, Progress.SPEED, operation)
 
 
-def share_of(attempt: int, axis: int) -> float:
+def stop_as_before(operation: 'float[:,:]') -> None:
+    """Let a slower stop have ramps as those of the present plan, unless its own are quicker.
+
+    What a stop asks for tells too little where the load is accelerated slowly when it begins.
+    """
+    progress = operation[Operation.PROGRESS, :]
+    pace = progress[Progress.KEPT_PACE]
+    steepness = progress[Progress.KEPT_STEEPNESS]
+    if pace >= 1.0 or pace <= progress[Progress.PACE]:
+        return
+    progress[Progress.PACE] = pace
+    progress[Progress.STEEPNESS] = steepness
+
+
+def share_of(attempt: int, axis: int, operation: 'float[:,:]') -> float:
     """Share of its velocity that an axis gets in an attempt."""
     if attempt >= Attempt.STOP:
         return 0.0
@@ -60,7 +78,7 @@ def share_of(attempt: int, axis: int) -> float:
         return 0.0
     if attempt == Attempt.UPRIGHT and axis < 2:
         return 0.0
-    return 1.0
+    return ease_of(attempt, Progress.SPEED, operation)
 
 
 def is_worth(attempt: int, failed: int, aim: 'float[:]') -> bool:
@@ -84,18 +102,27 @@ def set_attempt(
 ) -> None:
     """Write the limits of an attempt to limits[1] and LOWER, from those in limits[0] and `known`.
 
-    Targets are planned with the scaled velocity; velocities are within it.
+    Limits of order i are pace^i of those given, from the acceleration on, and those above
+    steepness^(i - 2) of that. Targets are planned with the scaled velocity; velocities are within
+    it.
     """
-    pace = pace_of(attempt, operation)
+    pace = ease_of(attempt, Progress.PACE, operation)
+    steepness = ease_of(attempt, Progress.STEEPNESS, operation)
     scale = 1.0
     if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
-        scale = operation[Operation.AIM, Aim.SCALE]
+        scale = operation[Operation.AIM, Aim.SCALE] * ease_of(attempt, Progress.SPEED, operation)
     for axis in range(3):
         power = pace
         limits[1, axis, 0] = scale * limits[0, axis, 0]
         for i in range(1, limits.shape[2]):
             power = power * pace
-            limits[1, axis, i] = power * limits[0, axis, i]
+            if i > 1:
+                power = power * steepness
+            given = limits[0, axis, i]
+            # without a limit the snap of a slower plan would be as steep as before
+            if i == 3 and given == 0.0 and is_slower(attempt):
+                given = limits[0, axis, 2] * limits[0, axis, 2] / limits[0, axis, 1]
+            limits[1, axis, i] = power * given
     set_lower_of(1, operation, limits, known)
 
 

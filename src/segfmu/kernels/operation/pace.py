@@ -1,12 +1,14 @@
 """How slowly a plan has to be built up for the drives, from what it asks of them.
 
-Built up at a pace p, a motion has p^i of its derivatives of order i, from the acceleration on. That
-is about so, as times change as well. So a plan that asks for too much tells at which pace it would
-not.
+Built up at a pace p, a motion has p^i of its derivatives of order i, from the acceleration on. With
+ramps of the acceleration that are less steep by a share s, those above have s^(i - 2) of that. That
+is about so, as times change as well. So a plan that asks for too much tells how it would not. Where
+its velocity is too much, that is slower, too.
 """
 
 from segfmu.kernels.crane.records import Demand
 from segfmu.kernels.crane.rope import interval_end
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.drives import judge_reach
 from segfmu.kernels.operation.reach import write_demands, write_load
 from segfmu.kernels.operation.records import Known, OperationWork, Range, Reach
@@ -15,18 +17,52 @@ from segfmu.kernels.trajectory.records import Timing
 # times in an interval at which a plan is looked at
 SAMPLES = 4
 # the lowest pace that is looked for, and bisections to the one sought
-LOWEST = 0.25
+LOWEST = 0.0625
 BISECTIONS = 8
+# from one steepness to the next one, and the least of them
+FLATTER = 0.25
+FLATTEST = 0.01
+
+
+def ease_within(
+    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
+    work: 'float[:,:]',
+) -> 'tuple[float, float, float]':
+    """About the pace, steepness and share of the velocity at which a plan keeps the drives' bounds.
+
+    1 if it does, or none helps. timing, coefficients and offsets of a plan; known: `Known`, work:
+    `OperationWork`.
+    """
+    speed = 1.0
+    best = 1.0
+    steepest = 1.0
+    least = NEVER
+    # at first with the whole velocity
+    for _ in range(2):
+        steepness = 1.0
+        # times to reach a velocity and to build its acceleration up, a half of that by default
+        while 1.0 + 0.5 / steepness < least and steepness > FLATTEST:
+            pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work)
+            if pace > 0.0:
+                takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness)
+                if takes < least:
+                    least = takes
+                    best = pace
+                    steepest = steepness
+            steepness = FLATTER * steepness
+        if least < NEVER:
+            return best, steepest, speed
+        speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work)
+        if speed == 0.0:
+            break
+    return 1.0, 1.0, 1.0
 
 
 def pace_within(
-    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
-    work: 'float[:,:]',
+    speed: float, steepness: float, timing: 'float[:,:]', coefficients: 'float[:,:]',
+    offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
-    """About the pace at which a plan keeps the bounds of the drives; 1 if it does, or none helps.
-
-    timing, coefficients and offsets of a plan; known: `Known`, work: `OperationWork`.
-    """
+    """That pace with a share of the velocity, 0: as the pace, and a steepness; 0 if none helps."""
     pace = 1.0
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
@@ -37,13 +73,15 @@ def pace_within(
             tried = pace
             # the pace itself, the lowest one, and what is between them
             for i in range(2 + BISECTIONS):
-                if keeps_at(tried, at, timing, coefficients, offsets, known, work):
+                if keeps_at(
+                    tried, speed, steepness, at, timing, coefficients, offsets, known, work
+                ):
                     low = tried
                     if i == 0:
                         break
                 else:
                     if i == 1:
-                        return 1.0
+                        return 0.0
                     pace = tried
                 tried = LOWEST
                 if i > 0:
@@ -55,17 +93,22 @@ def pace_within(
 
 
 def keeps_at(
-    pace: float, time: float, timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
-    known: 'float[:,:]', work: 'float[:,:]',
+    pace: float, speed: float, steepness: float, time: float, timing: 'float[:,:]',
+    coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
 ) -> bool:
     """Whether the motion at a time [s], built up at a pace, keeps the bounds."""
     write_load(time, time, timing, coefficients, offsets, work)
-    share = pace
-    for order in range(2, 5):
-        share = share * pace
+    power = pace
+    for order in range(1, 5):
+        share = power
+        if order == 1 and speed > 0.0:
+            share = speed
         for axis in range(3):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
             work[place, Range.CENTRE] = share * work[place, Range.CENTRE]
+        power = power * pace
+        if order > 1:
+            power = power * steepness
     if not write_demands(known[Known.CRANE, :], work):
         return False
     return judge_reach(0, Demand.SIZE, known[Known.BOUNDS, :], work) > 0

@@ -2,14 +2,16 @@
 
 from segfmu.kernels.operation.aim import is_aim
 from segfmu.kernels.operation.attempts import (
+    ease_of,
     is_slower,
     is_worth,
-    note_pace,
+    note_ease,
     set_attempt,
     share_of,
+    stop_as_before,
 )
 from segfmu.kernels.operation.held import holds_long_enough, prolong_holds
-from segfmu.kernels.operation.pace import pace_within
+from segfmu.kernels.operation.pace import ease_within
 from segfmu.kernels.operation.plans import copy_plan
 from segfmu.kernels.operation.proof import prove_plan
 from segfmu.kernels.operation.records import (
@@ -42,21 +44,25 @@ def is_prolonged(operation: 'float[:,:]') -> bool:
     return attempt == Attempt.FULL or attempt == Attempt.BLOCKED
 
 
-def choose_pace(
+def choose_ease(
     attempt: int, status: int, operation: 'float[:,:]', known: 'float[:,:]',
     timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]',
 ) -> None:
-    """Choose the pace of a slower attempt after one that failed by a status."""
+    """Choose how slow a slower attempt is after one that failed by a status."""
     if not is_slower(attempt + 1):
         return
-    told = 1.0
+    pace = 1.0
+    steepness = 1.0
+    speed = 1.0
     if status == OperationStatus.DRIVES:
         first = Slot.TRIED * Slot.OFFSETS
-        told = pace_within(
+        pace, steepness, speed = ease_within(
             timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
             offsets[first:first + Slot.OFFSETS], known, work,
         )
-    note_pace(attempt, told, operation)
+    note_ease(attempt, pace, steepness, speed, operation)
+    if attempt == Attempt.STOP:
+        stop_as_before(operation)
 
 
 def keeps_blocked(operation: 'float[:,:]') -> bool:
@@ -94,12 +100,14 @@ def attempt_plans(
                 work, stack,
             )
         if status == OperationStatus.TAKEN:
+            progress[Progress.KEPT_PACE] = ease_of(attempt, Progress.PACE, operation)
+            progress[Progress.KEPT_STEEPNESS] = ease_of(attempt, Progress.STEEPNESS, operation)
             take_plan(rank(attempt, operation), operation, timing, coefficients, offsets)
             return True
         if failed == OperationStatus.TAKEN and progress[Progress.BLOCKS] == 0.0:
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
-        choose_pace(attempt, status, operation, known, timing, coefficients, offsets, work)
+        choose_ease(attempt, status, operation, known, timing, coefficients, offsets, work)
         if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
             failed = status
             attempt = attempt + 1
@@ -131,6 +139,7 @@ def first_attempt(operation: 'float[:,:]', known: 'float[:,:]') -> 'tuple[int, i
         return following - 1, int(progress[Progress.FAILED])
     open_ways(operation, known)
     progress[Progress.BLOCKS] = 0.0
+    progress[Progress.SPEED] = 1.0
     return int(Attempt.FULL), int(OperationStatus.TAKEN)
 
 
@@ -214,7 +223,7 @@ def seek_plan(
         )
     for axis in range(3):
         operation[Operation.WISH, axis] = aim[Aim.VALUE + axis]
-        operation[Operation.SHARE, axis] = share_of(attempt, axis)
+        operation[Operation.SHARE, axis] = share_of(attempt, axis, operation)
     slow = is_slower(attempt) and attempt < Attempt.STOP
     return seek_velocity(
         slow, operation, limits[1, :, :], timing, coefficients, offsets, states, lead
@@ -238,6 +247,14 @@ def is_stop(aim: 'float[:]') -> bool:
     for axis in range(3):
         fastest = max(fastest, abs(aim[Aim.VALUE + axis]))
     return aim[Aim.IS_TARGET] < 0.5 and fastest == 0.0
+
+
+def is_slowed(operation: 'float[:,:]') -> bool:
+    """Whether the plan in TRIED is for a part of the velocity that the aim asks for."""
+    aim = operation[Operation.AIM, :]
+    if aim[Aim.IS_TARGET] > 0.5 or is_stop(aim):
+        return False
+    return operation[Operation.PROGRESS, Progress.SPEED] < 1.0
 
 
 def keeps_stopping(attempt: int, operation: 'float[:,:]') -> bool:
@@ -265,7 +282,7 @@ def take_plan(
     progress[Progress.BEGIN] = operation[Operation.COMMAND, Command.TIME]
     progress[Progress.PLANS] = progress[Progress.PLANS] + 1.0
     progress[Progress.STATUS] = OperationStatus.TAKEN
-    if attempt > 0:
+    if attempt > 0 or is_slowed(operation):
         progress[Progress.STATUS] = OperationStatus.REDUCED
     note_taken(attempt, operation)
 
