@@ -90,3 +90,14 @@ def test_keys_of_another_kind_are_one_error_as_in_files(
     if "crane" not in changed:
         with pytest.raises(InputError, match=f"^mission: {told}"):
             load_mission(MADE | changed)
+
+
+@pytest.mark.parametrize(("key", "words"), [
+    ("crane", "crane: must be the name of a crane file, or a table, got 3"),
+    ("waypoints", r"waypoints: must be the name of a CSV file, or tables \[\[waypoints\]\], got 3"),
+])
+def test_a_key_that_may_name_a_file_says_so(tmp_path: Path, key: str, words: str) -> None:
+    path = tmp_path / "mission.toml"
+    path.write_text(f"{key} = 3\n")
+    with pytest.raises(InputError, match=words):
+        load_mission(path)

@@ -24,6 +24,11 @@ from segfmu.validation.kept import Right
 _right = Right(64)
 # in messages, a mission that is no file
 UNNAMED = Path("mission")
+# keys whose value may be the name of a file
+NAMED = (
+    ("crane", dict, "the name of a crane file, or a table"),
+    ("waypoints", list, "the name of a CSV file, or tables [[waypoints]]"),
+)
 Source = str | Path | Mapping[str, Any] | Mission
 
 
@@ -126,6 +131,10 @@ def _with_files(path: Path | None, data: dict[str, Any]) -> dict[str, Any]:
     """The content of a mission with that of the files that it names."""
     require_kind("mission", data, path or "mission")
     found = dict(data)
+    for key, kind, what in NAMED:
+        value = data.get(key, "")
+        if path is not None and not isinstance(value, (kind, str)):
+            raise InputError(f"{path}: {key}: must be {what}, got {shown(value)}")
     if isinstance(data.get("crane"), str):
         found["crane"] = _crane_data(path, data["crane"])
     if isinstance(data.get("waypoints"), str):
