@@ -14349,10 +14349,10 @@ static double rising_member(double f_start, double end, array_double_1d family, 
 double target, step, before, f_lower, value, duration, bend, p, highest, result;
 int64_t i;
 target = *cspan_at(&family, 17);
-step = end / 8;
+step = end / 12;
 before = f_start;
 f_lower = f_start;
-for (i = 1; i < 8 + 1; i += 1) {
+for (i = 1; i < 12 + 1; i += 1) {
 canonical_value(&value, &duration, i * step, family, axis);
 if ((value >= target) && (value > f_lower)) {
 result = bracketed_root((i - 1) * step, i * step, f_lower, value, family, axis);
@@ -14824,7 +14824,7 @@ e_before = e_inside;
 inside = level;
 e_inside = error;
 newest_inside = 1;
-if (probing && (outside - inside <= 1e-05 * outside)) {
+if (probing && (outside - inside <= 0.0001 * outside)) {
 break;
 }
 constant = constant || probing;
@@ -17140,7 +17140,7 @@ int64_t q, added, attempt, place, row;
 passing = span_row(&work, 101);
 q = (int64_t)(*cspan_at(&passing, 1)) + 2;
 added = 0;
-for (attempt = 0; attempt < 16; attempt += 1) {
+for (attempt = 0; attempt < 24; attempt += 1) {
 if ((attempt > 0) && (!solve_sequence(problem, axis, work))) {
 if ((added == 0) || (added != q - 3)) {
 return 0;
@@ -17380,7 +17380,7 @@ return 0;
 }
 static bool meet_all(array_double_1d problem, array_double_1d axis, array_double_2d work) {
 int64_t attempt, place;
-for (attempt = 0; attempt < 10; attempt += 1) {
+for (attempt = 0; attempt < 12; attempt += 1) {
 place = overlong_plateau(work);
 if (place >= 0) {
 if (!end_plateau(place, problem, axis, work)) {
@@ -17655,7 +17655,7 @@ break;
 }
 scale = *cspan_at(&work, 98, 20);
 }
-set_alternating(sign, 0.35 * scale / q, work);
+set_alternating(sign, 0.5 * 0.7 * scale / q, work);
 if (solve_rotated(problem, axis, work)) {
 shorter = sequence_duration(passing, nodes) < 0.9 * duration;
 if (shorter && (largest_excess(axis, work) < most)) {
@@ -17708,7 +17708,7 @@ most = 400.0;
 least = 0.02;
 }
 if (compares_levels(axis)) {
-most = most + 500.0;
+most = most + 400.0;
 each = 200.0;
 }
 *cspan_at(&steps, 4) = 0.0;
@@ -17763,7 +17763,7 @@ slow = *cspan_at(&passing, 2);
 else {
 fast = *cspan_at(&passing, 2);
 }
-if ((slow > 0.0) && (fast - slow < 0.0001)) {
+if ((slow > 0.0) && (fast - slow < 0.001)) {
 break;
 }
 }
@@ -17943,7 +17943,7 @@ keep_sequence(158, work);
 *cspan_at(&taken, 6) = moving;
 reached = shortest;
 step = target - shortest;
-least = 0.01 * step;
+least = 0.001 * step;
 while(reached < target) {
 *cspan_at(&taken, 5) = *cspan_at(&taken, 4) + 40.0;
 duration = span_min(reached + step, target);
@@ -17954,7 +17954,7 @@ reached = duration;
 else {
 step = 0.5 * step;
 }
-if ((step < least) || (*cspan_at(&taken, 4) > 300.0)) {
+if ((step < least) || (*cspan_at(&taken, 4) > 400.0)) {
 return 0;
 }
 }
@@ -20152,7 +20152,7 @@ if (!begins_now(lead, coefficients)) {
 return 0;
 }
 keep_inside(check);
-if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 5e-10, check)) {
+if (!check_axis(first, last, timing, coefficients, limits, lower, 1e-09, 0.5 * 1e-09, check)) {
 return 0;
 }
 }
@@ -21470,7 +21470,7 @@ spread_levels(attempt, gentle);
 error = gentle_errors(problem, axis, gentle);
 speed = usual_speed(problem, axis);
 close = 0.0001 * speed;
-for (i = 0; i < 16; i += 1) {
+for (i = 0; i < 24; i += 1) {
 if (((i == 0) || (error > close)) && (!gentle_slopes(problem, axis, gentle))) {
 return 0;
 }
@@ -24902,7 +24902,7 @@ polish_state(spot, field, states, path, links, spans, axes, cells, timing, coeff
 }
 }
 }
-*cspan_at(&path, 16) = 0.32 * *cspan_at(&path, 16);
+*cspan_at(&path, 16) = *cspan_at(&path, 16) / 3.1622776601683795;
 }
 for (axis = 0; axis < count; axis += 1) {
 *cspan_at(&axes, axis, 12) = 0;

@@ -17,6 +17,8 @@ EQUAL = 1e-12
 SAME = 1e-13
 # a shorter duration, or a better value, by less than this share is a gain by rounding
 GAINED = 1e-10
+# beside a solution, and at the end of a motion, a condition is missed by this share by rounding
+BESIDE = 1e-11
 # a limit is exceeded, or a derivative is another one, by more than this share
 EXCEEDED = 1e-10
 # as GAINED, of solutions by Newton's method
@@ -33,10 +35,13 @@ SECTIONS = 30
 # that of an extreme value or after another step of Newton's method, and where slopes come from such
 # a change their errors by rounding and by the bend are alike
 HALF_DIGITS = 1e-7
-# from this error on, as a share, Newton's method goes straight to a root
+# this near, as a share, to a root or an edge, Newton's method goes straight to it, and what is
+# beyond is next to it
 CLOSE = 1e-4
 # a part of a range, a time or a limit that is too small to matter where its whole is searched
 FINE = 1e-3
+# a small part of a whole
+SMALL = 0.1
 # so many times what is usual is beyond what a motion needs
 FAR = 1e3
 # places of an interval that are looked at for all roots of what bends a few times
@@ -45,3 +50,5 @@ SAMPLES = 24
 COARSE = 12
 # steps of a search that has failed if it does not end before
 TRIES = 24
+# the same where more steps take longer than they gain
+FEW = 12

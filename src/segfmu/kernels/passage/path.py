@@ -9,7 +9,7 @@ as in barrier.py, band as in band.py.
 
 from math import log
 
-from segfmu.kernels.numerics.numbers import FAR, FINE, HALF_DIGITS, HALVINGS, NEVER, SAMPLES
+from segfmu.kernels.numerics.numbers import FAR, FINE, HALF_DIGITS, HALVINGS, NEVER, SAMPLES, SMALL
 from segfmu.kernels.passage.band import band_solve, write_band, write_durations, write_steps
 from segfmu.kernels.passage.barrier import (
     barrier_value,
@@ -49,8 +49,6 @@ ON_THE_WAY = 20.0
 CENTRINGS = 30
 # one over a duration changes by this share at once, at most
 LARGEST_STEP = 0.6
-# share of what could be taken back at once that is left where given states exceed the limits
-LEFT = 0.1
 
 
 def gap_of(point: int) -> float:
@@ -258,7 +256,8 @@ def retreat(
         used = largest_node_share(path, tracks, links, spans, grid, square)
         if used > 1.0 - FINE:
             return False
-        path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + LEFT * (1.0 - used)))
+        # a small part of what could be taken back at once is left
+        path[Path.ROOM] = max(1.0, path[Path.ROOM] * (used + SMALL * (1.0 - used)))
         if path[Path.ROOM] == 1.0:
             return True
     return False

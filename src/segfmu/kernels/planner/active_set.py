@@ -5,7 +5,7 @@ an instant (instant.py). Plateaus become instants as their holds vanish, and lev
 one end go to the other.
 """
 
-from segfmu.kernels.numerics.numbers import NEVER, TIE, WORTH
+from segfmu.kernels.numerics.numbers import FEW, NEVER, SMALL, TIE, WORTH
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.newton import has_pace
@@ -30,11 +30,6 @@ from segfmu.kernels.planner.records import (
     Touch,
 )
 from segfmu.kernels.planner.sequence import sequence_duration
-
-# changes of it until it has failed
-CHANGES = 10
-# of the whole duration: what a short level takes at most
-SHORT = 0.1
 
 
 def may_go_on(work: 'float[:,:]') -> bool:
@@ -224,7 +219,7 @@ def end_plateau(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[
 
 def meet_all(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Change a solved sequence until it keeps the limits of an axis."""
-    for attempt in range(CHANGES):
+    for attempt in range(FEW):
         place = overlong_plateau(work)
         if place >= 0:
             if not end_plateau(place, problem, axis, work):
@@ -241,7 +236,7 @@ def vanishing_end(work: 'float[:,:]') -> int:
     passing = work[PlanWork.PASSING, :]
     last = int(passing[Passing.COUNT]) - 1
     found = -1
-    least = SHORT * passing[Passing.TIME]
+    least = SMALL * passing[Passing.TIME]
     for side in range(2):
         row = PlanWork.NODES + side * last
         if work[row, Node.KIND] == 0.0 and abs(work[row, Node.TIME]) < least:

@@ -1,6 +1,6 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
-from segfmu.kernels.numerics.numbers import COARSE, FINE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
+from segfmu.kernels.numerics.numbers import FEW, FINE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
 from segfmu.kernels.numerics.roots import next_bracket, root_share
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
@@ -154,7 +154,7 @@ def arc_root(
             e_inside = e_other
             # halvings cost as much as samples, and of what is in between there is hardly ever the
             # distance
-            for j in range(COARSE):
+            for j in range(FEW):
                 middle = 0.5 * (inside + outside)
                 duration, error = scanned_excess(arc, middle, missing, largest, family, axis)
                 if duration < 0.0:

@@ -9,7 +9,7 @@ five between the states.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import CLOSE, HALF_DIGITS, NEARLY, ROUNDED, SAME
+from segfmu.kernels.numerics.numbers import CLOSE, HALF_DIGITS, NEARLY, ROUNDED, SAME, TRIES
 from segfmu.kernels.planner.phases import append_change, append_hold
 from segfmu.kernels.planner.ramp import ramp_distance, ramp_duration
 from segfmu.kernels.planner.records import Gentle, Phase, Problem
@@ -17,8 +17,6 @@ from segfmu.kernels.planner.sides import fastest_velocity, side_limit
 
 # starts: half the difference of the levels grows by this from one to the next
 WIDER = 1.5
-# steps until it has failed
-STEPS = 16
 
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
@@ -193,7 +191,7 @@ def solve_gentle(
     speed = usual_speed(problem, axis)
     # close to the root the derivatives of the step before do as well
     close = CLOSE * speed
-    for i in range(STEPS):
+    for i in range(TRIES):
         if (i == 0 or error > close) and not gentle_slopes(problem, axis, gentle):
             return False
         if not gentle_step(gentle):

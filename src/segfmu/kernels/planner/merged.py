@@ -4,7 +4,7 @@ Reversal of time and mirroring of the position reduce every branch to the canoni
 search.py searches by distance or by duration.
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, FINE, HALVINGS, NEARLY, TRIES
+from segfmu.kernels.numerics.numbers import CLOSE, EQUAL, FINE, HALVINGS, NEARLY, SMALL, TRIES
 from segfmu.kernels.numerics.roots import root_share
 from segfmu.kernels.planner.levels import canonical_member
 from segfmu.kernels.planner.members import member_search
@@ -20,11 +20,6 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Phase, Problem
 from segfmu.kernels.planner.search import canonical_search
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
-
-# where a bracket is that narrow, as a share, what exceeds the limit is next to it
-NARROW = 1e-5
-# the least scale of a family, as a share of the time
-SCALE = 0.1
 
 
 def set_family(
@@ -87,7 +82,7 @@ def set_member(member: int, time: float, by_time: bool, family: 'float[:]') -> N
     With `by_time` it lasts `time` [s]; else it covers the distance, and `time` scales the search.
     """
     family[Family.MEMBER] = member
-    family[Family.SCALE] = min(max(family[Family.LAST_RAMP], SCALE * time), time)
+    family[Family.SCALE] = min(max(family[Family.LAST_RAMP], SMALL * time), time)
     if by_time:
         family[Family.BY_TIME] = 1.0
         family[Family.TARGET] = time
@@ -263,7 +258,7 @@ def highest_within(
             e_inside = error
             newest_inside = True
             # close enough: what exceeds the limit is next to it
-            if probing and outside - inside <= NARROW * outside:
+            if probing and outside - inside <= CLOSE * outside:
                 break
             constant = constant or probing
         elif probing:

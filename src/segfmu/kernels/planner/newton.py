@@ -3,7 +3,7 @@
 from math import floor, sqrt
 
 from segfmu.kernels.numerics.matrices import matrix_solve
-from segfmu.kernels.numerics.numbers import CLOSE, EQUAL, FINE, ROUNDED
+from segfmu.kernels.numerics.numbers import BESIDE, CLOSE, EQUAL, FINE, ROUNDED
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import (
@@ -29,8 +29,7 @@ STEPS = 30
 HALVINGS = 8
 # what four steps leave of an error where they get anywhere
 HOPEFUL = 0.7
-# errors beside a solution, and the grid of steps that are not near one
-BESIDE = 1e-11
+# the grid of steps that are not near a solution
 GRID = 1e-10
 # what a step has to take off an error, as a share of its length
 GAINED = 1e-4

@@ -5,7 +5,7 @@ a derivative then exceeds its limit, it gets a plateau there (plateaus.py). If t
 sequence is slowed down until it keeps the limits; levels of the snap have another way (tighten.py).
 """
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME, TRIES, WORTH
+from segfmu.kernels.numerics.numbers import EQUAL, FINE, SAME, TRIES, WORTH
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
@@ -26,15 +26,10 @@ from segfmu.kernels.planner.records import Node, Passing, PlanWork, Problem, Tig
 from segfmu.kernels.planner.sequence import residual_scale, run_sequence, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import first_solution, is_brief, shorter_solution
-from segfmu.kernels.planner.tighten import EACH, tighten
+from segfmu.kernels.planner.tighten import ALL_LONGER, EACH, tighten
 
-# the pace of a sequence that is slowed down, from the one before; halvings end at this difference
+# the pace of a sequence that is slowed down, from the one before
 SLOWER = 0.97
-PACE_ERROR = 1e-4
-# steps of a duration that is approached: the least one as a share of the way, and what tightening
-# may take in all
-LEAST_STEP = 0.01
-ALL = 300.0
 
 
 def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
@@ -59,7 +54,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
             slow = passing[Passing.PACE]
         else:
             fast = passing[Passing.PACE]
-        if slow > 0.0 and fast - slow < PACE_ERROR:
+        if slow > 0.0 and fast - slow < FINE:
             break
     if slow > 0.0:
         restore_sequence(PlanWork.KEPT, work)
@@ -237,7 +232,7 @@ def pace_down(
     taken[Tighten.MOVING] = moving
     reached = shortest
     step = target - shortest
-    least = LEAST_STEP * step
+    least = FINE * step
     while reached < target:
         taken[Tighten.MOST] = taken[Tighten.STEPS] + EACH
         duration = min(reached + step, target)
@@ -246,7 +241,7 @@ def pace_down(
             reached = duration
         else:
             step = 0.5 * step
-        if step < least or taken[Tighten.STEPS] > ALL:
+        if step < least or taken[Tighten.STEPS] > ALL_LONGER:
             return False
     return True
 

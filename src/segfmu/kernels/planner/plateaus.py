@@ -1,21 +1,17 @@
 """Plateaus of a sequence (sequence.py): which derivatives stay at their limits, and where."""
 
 
-from segfmu.kernels.numerics.numbers import EQUAL, TIE
+from segfmu.kernels.numerics.numbers import EQUAL, TIE, TRIES
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import shift_instants
-from segfmu.kernels.planner.newton import solve_sequence
+from segfmu.kernels.planner.newton import LESS, solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Touch
 from segfmu.kernels.planner.sequence import sequence_duration
 
 # nodes of a sequence that is changed: others are too long
 MOST_NODES = 12
-# a plateau takes this share of the level that it begins from
-SHARE = 0.7
 # of the whole duration: what a level at an end takes at first
 NEW = 0.03
-# plateaus and levels that are added until it has failed
-CHANGES = 16
 
 
 def keep_sequence(row: int, work: 'float[:,:]') -> None:
@@ -119,7 +115,8 @@ def split_ramp(
             return False
     if work[first, Node.KIND] != 0.0 or work[last, Node.KIND] != 0.0:
         return False
-    share = SHARE
+    # as much of the level that it begins from as a step of Newton's method may take
+    share = LESS
     if touch:
         share = 0.5
     time = share * 0.5 * (work[first, Node.TIME] + work[last, Node.TIME])
@@ -266,7 +263,7 @@ def meet_limits(
     passing = work[PlanWork.PASSING, :]
     q = int(passing[Passing.ABOVE]) + 2
     added = 0
-    for attempt in range(CHANGES):
+    for attempt in range(TRIES):
         if attempt > 0 and not solve_sequence(problem, axis, work):
             if added == 0 or added != q - 3:
                 return False

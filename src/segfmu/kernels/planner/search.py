@@ -19,10 +19,6 @@ from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
 
-# samples up to a member that distances rise to: more take more time than the few plans gain that
-# they shorten
-RISING = 8
-
 
 def window_edge(
     inside: float, outside: float, family: 'float[:]', axis: 'float[:]'
@@ -97,10 +93,11 @@ def rising_member(
     It may fall again, even between two samples. f_start is the value of the first member.
     """
     target = family[Family.TARGET]
-    step = end / RISING
+    # more samples take more time than the few plans gain that they shorten
+    step = end / COARSE
     before = f_start
     f_lower = f_start
-    for i in range(1, RISING + 1):
+    for i in range(1, COARSE + 1):
         value, duration = canonical_value(i * step, family, axis)
         if value >= target and value > f_lower:
             return bracketed_root((i - 1) * step, i * step, f_lower, value, family, axis)

@@ -31,9 +31,9 @@ from segfmu.kernels.planner.records import (
 from segfmu.kernels.planner.sequence import is_square, sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 
-# levels of a start, as shares of those that alone fill the duration
+# levels of a start, as shares of those that alone fill the duration; half of it for a much shorter
+# sequence
 ALTERNATING = 0.7
-FASTER = 0.35
 # levels of ordinary profiles meet at zero: where the snap has them, they are higher by this, which
 # an attempt takes off again; and another one has more
 HIGHER = 1.25
@@ -228,7 +228,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
             if work[PlanWork.FAMILY, Family.FREE] >= duration:
                 break
             scale = work[PlanWork.FAMILY, Family.FREE]
-        set_alternating(sign, FASTER * scale / q, work)
+        set_alternating(sign, 0.5 * ALTERNATING * scale / q, work)
         if solve_rotated(problem, axis, work):
             shorter = sequence_duration(passing, nodes) < SHORTER * duration
             if shorter and largest_excess(axis, work) < most:

@@ -4,22 +4,21 @@ From the sequence without the limits below the levels, Newton's method can lead 
 are exceeded by far. So they come down in steps where a single one fails.
 """
 
+from segfmu.kernels.numerics.numbers import SMALL
 from segfmu.kernels.planner.active_set import compares_levels, follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.plateaus import keep_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Passing, PlanWork, Tighten
 from segfmu.kernels.planner.sequence import sequence_duration
 
-# Newton's steps that a sequence may take in all and each time that limits come down, and the least
-# part of an excess that it takes away at once; with ramps that take much longer there is more to
-# gain, and where levels are compared there is more to do
+# Newton's steps that a sequence may take in all and each time that limits come down; with ramps
+# that take much longer there is more to gain, also by less than a small part of an excess at once,
+# and where levels are compared there is more to do
 ALL = 150.0
 EACH = 40.0
-LEAST = 0.1
 LONGER = 1.4
 ALL_LONGER = 400.0
 LEAST_LONGER = 0.02
-COMPARED = 500.0
 EACH_COMPARED = 200.0
 
 
@@ -54,12 +53,12 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
     keep_sequence(PlanWork.SOLVED, work)
     most = ALL
     each = EACH
-    least = LEAST
+    least = SMALL
     if longest > LONGER * passing[Passing.TIME]:
         most = ALL_LONGER
         least = LEAST_LONGER
     if compares_levels(axis):
-        most = most + COMPARED
+        most = most + ALL_LONGER
         each = EACH_COMPARED
     steps[Tighten.STEPS] = 0.0
     steps[Tighten.MOVING] = 0.0

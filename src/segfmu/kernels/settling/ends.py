@@ -1,16 +1,14 @@
 """Where a plan ends, and whether that is at a velocity."""
 
+from segfmu.kernels.numerics.numbers import BESIDE
 from segfmu.kernels.planner.records import DelayedState, WaypointState
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# what derivatives at the ends of a plan or a lead miss by rounding, as a share of the limits
-MISSED = 1e-11
-
 
 def end_rounding() -> float:
     """Rounding errors of derivatives at an end of a plan or a lead, relative to the limits."""
-    return MISSED
+    return BESIDE
 
 
 def write_end(

@@ -10,7 +10,7 @@ from segfmu.kernels.planner.records import Axis, Phase, Problem
 from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.level import level_order
 from segfmu.kernels.settling.records import Lead, LeadStage, LeadWork
-from segfmu.kernels.settling.search import STEEPEST, WORTH_STEEPER
+from segfmu.kernels.settling.search import FINER, STEEPEST, TURNS, WORTH_STEEPER
 from segfmu.kernels.settling.trial import is_settled, set_limits, try_level
 
 # halved steps without a gain, after which a level is no more improved
@@ -19,11 +19,9 @@ USELESS = 4
 DENSER = 0.7
 # times over the best one from which a better one may still be found
 HOPEFUL = 1.2
-# steps around the best level: the first one, of it and of its limit, and each over the one before
+# the first step around the best level, of it and of its limit
 OF_LEVEL = 0.15
 OF_BOUND = 0.005
-FINER = 0.25
-STEPS = 8
 
 
 def near_zero(i: float) -> float:
@@ -118,7 +116,7 @@ def improve_level(
     bound = lead[LeadWork.LIMITS, level_order(order, lead)]
     step = OF_LEVEL * abs(lead[LeadWork.BEST, Lead.LEVEL]) + OF_BOUND * bound
     useless = 0
-    for i in range(STEPS):
+    for i in range(TURNS):
         around = lead[LeadWork.BEST, Lead.LEVEL]
         for side in range(2):
             level = min(max(around + step * (1 - 2 * side), -bound), bound)

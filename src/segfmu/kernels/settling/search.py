@@ -24,9 +24,9 @@ FIRST_STEP = 0.125
 STEPS = 10
 # ends of a grid on each side of zero, and each one over the next larger one
 ENDS = 4
-DENSER = 0.25
-# levels of following profiles in turn
-FOLLOWED = 8
+FINER = 0.25
+# levels in turn: of profiles behind a lead, or next to the best one
+TURNS = 8
 # derivatives that nothing limits are raised (STEEPER) so often, as long as the time of a lead
 # becomes less than this share
 STEEPEST = 4
@@ -66,7 +66,7 @@ def search_end(
         for i in range(ENDS):
             try_end(order, stage, end, limits, lead, timing, coefficients)
             try_end(order, stage, -end, limits, lead, timing, coefficients)
-            end = DENSER * end
+            end = FINER * end
     step = FIRST_STEP * bound
     for i in range(STEPS):
         around = lead[LeadWork.BEST_ENDS, stage]
@@ -112,7 +112,7 @@ def try_soonest(
     if is_settled(lead) or stage >= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
         return
     bound = lead[LeadWork.LIMITS, stage]
-    for i in range(FOLLOWED):
+    for i in range(TURNS):
         if time >= NEVER or first[Phase.ABOVE] != 0.0:
             break
         before = lead[LeadWork.BEST, Lead.TIME]

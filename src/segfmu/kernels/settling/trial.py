@@ -14,9 +14,6 @@ from segfmu.kernels.trajectory.check import check_axis, keep_inside
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
-# of the limits: what derivatives may jump by between pieces
-CONTINUOUS = 5e-10
-
 
 def set_limits(steep: float, lead: 'float[:,:]') -> None:
     """Set natural limits (`natural_limit`) of the row START of `lead`, and the chains."""
@@ -134,7 +131,7 @@ def keep_better(
             return False
         keep_inside(check)
         if not check_axis(
-            first, last, timing, coefficients, limits, lower, NEARLY, CONTINUOUS, check
+            first, last, timing, coefficients, limits, lower, NEARLY, 0.5 * NEARLY, check
         ):
             return False
     keep_lead(last, time, lead, timing, coefficients)
