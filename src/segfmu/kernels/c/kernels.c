@@ -1065,9 +1065,11 @@ static bool is_required(int64_t derivative, int64_t column);
 static void write_least_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
 static void project_out(int64_t unit, int64_t row, array_double_2d basis);
 static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
+static void write_products(array_double_1d row);
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square);
 static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
-static void add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
+static int64_t pair_place(int64_t one, int64_t other);
+static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
 static void give_units(int64_t count, array_double_2d link, array_double_2d square);
 static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
 static int64_t outer_column(int64_t place);
@@ -23392,8 +23394,8 @@ double scale, total, where;
 write_scales(path, track, time, link, square);
 count = (int64_t)(5 + *cspan_at(&path, 1));
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
-derivative = (int64_t)(*cspan_at(&grid, i, 14));
-*cspan_at(&grid, i, 15) = 0.0;
+derivative = (int64_t)(*cspan_at(&grid, i, 105));
+*cspan_at(&grid, i, 106) = 0.0;
 scale = *cspan_at(&square, 3, derivative);
 if (scale > 0.0) {
 total = 0.0;
@@ -23401,7 +23403,7 @@ for (j = 0; j < count; j += 1) {
 total = total + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
 }
 where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 8);
-*cspan_at(&grid, i, 15) = total * scale + where;
+*cspan_at(&grid, i, 106) = total * scale + where;
 }
 }
 }
@@ -23415,7 +23417,7 @@ axis = span_floor_mod(i, axes);
 time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
 write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-largest = span_max(largest, fabs(*cspan_at(&grid, row, 15)));
+largest = span_max(largest, fabs(*cspan_at(&grid, row, 106)));
 }
 }
 return largest;
@@ -23466,7 +23468,7 @@ time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
 write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
 room = 1.0;
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-room = room * room_of(*cspan_at(&grid, row, 15));
+room = room * room_of(*cspan_at(&grid, row, 106));
 }
 if (room <= 0.0) {
 return 1e+300;
@@ -23979,8 +23981,8 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
 array_double_2d own, right;
 int64_t i, j, cell;
 double effect, total;
-own = span_rows(&square, 20, 29);
-right = span_rows(&square, 29, 38);
+own = span_rows(&square, 6, 15);
+right = span_rows(&square, 15, 24);
 for (i = 0; i < order; i += 1) {
 for (j = 0; j < order; j += 1) {
 *cspan_at(&own, i, j) = 0.0;
@@ -24022,7 +24024,7 @@ static void write_free_controls(int64_t order, int64_t first, array_double_2d gr
 array_double_2d basis;
 int64_t i, cell, k, sweep, other;
 double value, norm;
-basis = span_rows(&square, 38, 47);
+basis = span_rows(&square, 24, 33);
 for (i = 0; i < 12 - order; i += 1) {
 for (cell = 0; cell < 12; cell += 1) {
 *cspan_at(&basis, i, cell) = 0.0;
@@ -24048,12 +24050,22 @@ value = *cspan_at(&basis, i, cell) * sqrt(12.0);
 }
 }
 }
+static void write_products(array_double_1d row) {
+int64_t place, j, k;
+place = 14;
+for (j = 1; j < 14; j += 1) {
+for (k = 1; k < j + 1; k += 1) {
+*cspan_at(&row, place) = *cspan_at(&row, 0 + j) * *cspan_at(&row, 0 + k);
+place = place + 1;
+}
+}
+}
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square) {
 int64_t first, i, j, derivative, node, cell;
 double total, effect;
 first = order * 11;
 for (i = 0; i < first + 12; i += 1) {
-*cspan_at(&grid, i, 14) = span_min_int(span_floor_div(i, 11), order);
+*cspan_at(&grid, i, 105) = span_min_int(span_floor_div(i, 11), order);
 for (j = 0; j < 14; j += 1) {
 *cspan_at(&grid, i, 0 + j) = 0.0;
 }
@@ -24072,11 +24084,14 @@ total = total + effect * *cspan_at(&grid, first + cell, 0 + j);
 *cspan_at(&grid, i, 0 + j) = total;
 }
 }
+for (i = 0; i < first + 12; i += 1) {
+write_products(span_row(&grid, i));
+}
 }
 static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square) {
 int64_t derivative, power, end, j, exponent;
 double slope, bend, part, scale;
-derivative = (int64_t)(*cspan_at(&grid, row, 14));
+derivative = (int64_t)(*cspan_at(&grid, row, 105));
 slope = 0.0;
 bend = 0.0;
 for (power = 0; power < 3; power += 1) {
@@ -24106,12 +24121,18 @@ scale = *cspan_at(&square, 3, derivative);
 (*result_1_0001) = scale * bend;
 return 0;
 }
-static void add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
-int64_t derivative, j, k, time;
-double slope, bend, share, inner, first, second, scale, pull, crossed, curve, by, value, added;
-derivative = (int64_t)(*cspan_at(&grid, row, 14));
+static int64_t pair_place(int64_t one, int64_t other) {
+int64_t row, place;
+row = one - 1;
+place = span_floor_div(row * (row + 1), 2);
+return place + other - 1;
+}
+static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
+int64_t derivative, j, place;
+double slope, bend, share, inner, first, second, scale, pull, crossed, curve, by, added;
+derivative = (int64_t)(*cspan_at(&grid, row, 105));
 row_change(&slope, &bend, row, count, grid, square);
-share = *cspan_at(&grid, row, 15);
+share = *cspan_at(&grid, row, 106);
 inner = (1.0 - share) * (1.0 + share);
 first = 2.0 * share / inner;
 second = 2.0 * (1.0 + share * share) / (inner * inner);
@@ -24122,30 +24143,30 @@ curve = second * scale * scale;
 for (j = 1; j < count; j += 1) {
 by = *cspan_at(&grid, row, 0 + j);
 *cspan_at(&link, 6, j) = *cspan_at(&link, 6, j) + pull * by;
-*cspan_at(&square, 19, j) = *cspan_at(&square, 19, j) + crossed * by;
-value = curve * by;
-for (k = 1; k < j + 1; k += 1) {
-added = value * *cspan_at(&grid, row, 0 + k);
-*cspan_at(&square, 4 + j, k) = *cspan_at(&square, 4 + j, k) + added;
+*cspan_at(&square, 5, j) = *cspan_at(&square, 5, j) + crossed * by;
 }
+for (place = 0; place < pair_place(count, 1); place += 1) {
+added = curve * *cspan_at(&grid, row, 14 + place);
+*cspan_at(&square, 4, place) = *cspan_at(&square, 4, place) + added;
 }
-time = 4 + 14;
 *cspan_at(&link, 6, 14) = *cspan_at(&link, 6, 14) + first * slope;
-*cspan_at(&square, time, 14) = *cspan_at(&square, time, 14) + second * slope * slope;
-*cspan_at(&square, 19, 14) = *cspan_at(&square, 19, 14) + first * bend;
+*cspan_at(&square, 5, 14) = *cspan_at(&square, 5, 14) + first * bend;
+return second * slope * slope;
 }
 static void give_units(int64_t count, array_double_2d link, array_double_2d square) {
-int64_t j, k;
+int64_t place, j, k;
 double unit, power, crossed, value;
+place = 0;
 for (j = 1; j < count; j += 1) {
 unit = *cspan_at(&square, 0, j);
 power = *cspan_at(&square, 1, j);
 *cspan_at(&link, 6, j) = unit * *cspan_at(&link, 6, j);
-crossed = unit * *cspan_at(&square, 19, j);
-*cspan_at(&square, 19, j) = crossed + power * *cspan_at(&link, 6, j);
+crossed = unit * *cspan_at(&square, 5, j);
+*cspan_at(&square, 5, j) = crossed + power * *cspan_at(&link, 6, j);
 for (k = 1; k < j + 1; k += 1) {
-value = unit * *cspan_at(&square, 0, k) * *cspan_at(&square, 4 + j, k);
-*cspan_at(&square, 4 + j, k) = value;
+value = unit * *cspan_at(&square, 0, k) * *cspan_at(&square, 4, place);
+*cspan_at(&square, 4, place) = value;
+place = place + 1;
 }
 }
 }
@@ -24154,11 +24175,11 @@ int64_t first, second;
 double result;
 first = span_max_int(one, other);
 second = span_min_int(one, other);
-if ((first == 14) && (second != first)) {
-result = *cspan_at(&square, 19, second);
+if (first == 14) {
+result = *cspan_at(&square, 5, second);
 return result;
 }
-result = *cspan_at(&square, 4 + first, second);
+result = (*cspan_at(&square, 4, pair_place(first, second)));
 return result;
 }
 static int64_t outer_column(int64_t place) {
@@ -24168,69 +24189,64 @@ return 14;
 return (int64_t)(1 + place);
 }
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square) {
-array_double_2d own, right;
+array_double_2d own, coupled, solved;
 int64_t i, j, column, k;
-double slope, coupled, value;
-own = span_rows(&square, 20, 29);
-right = span_rows(&square, 29, 38);
+double slope, value;
+own = span_rows(&square, 6, 15);
+coupled = span_rows(&square, 15, 24);
+solved = span_rows(&link, 13, 22);
 for (i = 0; i < count; i += 1) {
 for (j = 0; j < count; j += 1) {
 *cspan_at(&own, i, j) = hessian_entry(5 + i, 5 + j, square);
 }
 for (j = 0; j < 5; j += 1) {
-*cspan_at(&right, i, j) = hessian_entry(5 + i, outer_column(j), square);
+*cspan_at(&coupled, i, j) = hessian_entry(5 + i, outer_column(j), square);
+*cspan_at(&solved, i, j) = *cspan_at(&coupled, i, j);
 }
-*cspan_at(&right, i, 5) = *cspan_at(&link, 6, 5 + i);
+*cspan_at(&solved, i, 5) = *cspan_at(&link, 6, 5 + i);
 }
-matrix_solve(count, 6, own, right);
-for (i = 0; i < count; i += 1) {
-for (j = 0; j < 6; j += 1) {
-*cspan_at(&link, 13 + i, j) = *cspan_at(&right, i, j);
-}
-}
+matrix_solve(count, 6, own, solved);
 for (j = 0; j < 5; j += 1) {
 column = outer_column(j);
 slope = *cspan_at(&link, 6, column);
 for (i = 0; i < count; i += 1) {
-coupled = hessian_entry(column, 5 + i, square);
-slope = slope - coupled * *cspan_at(&right, i, 5);
+slope = slope - *cspan_at(&coupled, i, j) * *cspan_at(&solved, i, 5);
 }
 *cspan_at(&link, 7, j) = slope;
 for (k = 0; k < 5; k += 1) {
 value = hessian_entry(column, outer_column(k), square);
 for (i = 0; i < count; i += 1) {
-coupled = hessian_entry(column, 5 + i, square);
-value = value - coupled * *cspan_at(&right, i, k);
+value = value - *cspan_at(&coupled, i, j) * *cspan_at(&solved, i, k);
 }
 *cspan_at(&link, 8 + j, k) = value;
 }
 }
 }
 static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square) {
-int64_t j, k, count, i, row;
-double diagonal;
+int64_t j, place, count, i;
+double curvature;
 write_node_shares(path, track, time, link, grid, square);
 for (j = 0; j < 15; j += 1) {
 *cspan_at(&link, 6, j) = 0.0;
-*cspan_at(&square, 19, j) = 0.0;
-for (k = 0; k < 15; k += 1) {
-*cspan_at(&square, 4 + j, k) = 0.0;
+*cspan_at(&square, 5, j) = 0.0;
 }
+for (place = 0; place < 91; place += 1) {
+*cspan_at(&square, 4, place) = 0.0;
 }
 count = (int64_t)(5 + *cspan_at(&path, 1));
+curvature = 0.0;
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
-if ((*cspan_at(&link, 2, (int64_t)(*cspan_at(&grid, i, 14)))) > 0.0) {
-add_share(i, count, link, grid, square);
+if ((*cspan_at(&link, 2, (int64_t)(*cspan_at(&grid, i, 105)))) > 0.0) {
+curvature = curvature + add_share(i, count, link, grid, square);
 }
 }
 give_units(count, link, square);
 for (j = 1; j < 5; j += 1) {
-diagonal = *cspan_at(&square, 4 + j, j);
-*cspan_at(&square, 4 + j, j) = (1.0 + ridge) * diagonal;
+place = pair_place(j, j);
+*cspan_at(&square, 4, place) = (1.0 + ridge) * *cspan_at(&square, 4, place);
 }
-row = 4 + 14;
-diagonal = (1.0 + ridge) * *cspan_at(&square, row, 14);
-*cspan_at(&square, row, 14) = diagonal + *cspan_at(&square, 19, 14);
+curvature = (1.0 + ridge) * curvature;
+*cspan_at(&square, 5, 14) = curvature + *cspan_at(&square, 5, 14);
 eliminate((int64_t)(*cspan_at(&path, 1)), link, square);
 }
 static double gap_of(int64_t point) {
@@ -24363,8 +24379,8 @@ for (axis = 0; axis < axes; axis += 1) {
 link = span_matrix(&links, j * axes + axis);
 write_node_shares(path, span_row(&tracks, axis), first + growth * k, link, grid, square);
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-if (*cspan_at(&grid, row, 14) != 0.0) {
-used = span_max(used, fabs(*cspan_at(&grid, row, 15)));
+if (*cspan_at(&grid, row, 105) != 0.0) {
+used = span_max(used, fabs(*cspan_at(&grid, row, 106)));
 }
 }
 }
@@ -24623,7 +24639,7 @@ bool smoothstep, hopeful, last, result;
 double theta;
 path = span_row(&tools, 0);
 grid = span_rows(&tools, 1, 57);
-square = span_rows(&tools, 57, 104);
+square = span_rows(&tools, 57, 90);
 block_rows(&begin, &end, 0, path, choice);
 given = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 3, path, choice);
@@ -25204,7 +25220,7 @@ bring_down(span_layers(&choice, 0, places), limits, lower, axes);
 *cspan_at(&path, 4) = places;
 *cspan_at(&path, 6) = 0.0;
 write_tracks(limits, lower, path, axes);
-square = span_rows(&tools, 57, 104);
+square = span_rows(&tools, 57, 90);
 write_grid((int64_t)(*cspan_at(&path, 0)), span_rows(&tools, 1, 57), square);
 result = set_axes(limits, lower, axes, work);
 return result;

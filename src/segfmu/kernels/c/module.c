@@ -4124,8 +4124,8 @@ static PyObject *call_begin_choice(
   && has_at_least(&call, "allowed", 1, in_allowed->shape[1], 2)
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 104)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 19)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 58)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
@@ -4161,8 +4161,8 @@ static PyObject *call_next_passage(
   && (in_tools = take_array(&call, 0, 2, 'd', true)) != NULL
   && (in_spots = take_array(&call, 1, 3, 'd', false)) != NULL
   && has_at_least(&call, "spots", 0, in_spots->shape[0], 1)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 104)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 19)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
   && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)) {
   answer = PyBool_FromLong(segfmu_next_passage(
@@ -4206,8 +4206,8 @@ static PyObject *call_choose_passage(
   && has_extent(&call, "axes", 0, in_axes->shape[0], in_choice->shape[1])
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_spans->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 104)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 19)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 58)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_spans->shape[0] * in_choice->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)

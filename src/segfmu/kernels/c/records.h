@@ -1774,10 +1774,16 @@ enum {
 };
 
 enum {
+    PAIR_ENTRY = 0,
+    PAIR_SIZE = 91
+};
+
+enum {
     GRID_ROW_BY = 0,
-    GRID_ROW_ORDER = 14,
-    GRID_ROW_SHARE = 15,
-    GRID_ROW_SIZE = 16
+    GRID_ROW_PRODUCT = 14,
+    GRID_ROW_ORDER = 105,
+    GRID_ROW_SHARE = 106,
+    GRID_ROW_SIZE = 107
 };
 
 enum {
@@ -1818,20 +1824,20 @@ enum {
     SQUARE_PART = 2,
     SQUARE_SCALE = 3,
     SQUARE_HESSIAN = 4,
-    SQUARE_CROSS = 19,
-    SQUARE_OWN = 20,
-    SQUARE_RIGHT = 29,
-    SQUARE_BASIS = 38,
-    SQUARE_SIZE = 47,
-    SQUARE_COLUMNS = 15
+    SQUARE_CROSS = 5,
+    SQUARE_OWN = 6,
+    SQUARE_RIGHT = 15,
+    SQUARE_BASIS = 24,
+    SQUARE_SIZE = 33,
+    SQUARE_COLUMNS = 91
 };
 
 enum {
     TOOLS_PATH = 0,
     TOOLS_GRID = 1,
     TOOLS_SQUARE = 57,
-    TOOLS_SIZE = 104,
-    TOOLS_COLUMNS = 19
+    TOOLS_SIZE = 90,
+    TOOLS_COLUMNS = 107
 };
 
 enum {

@@ -63,6 +63,17 @@ def write_grid(order: int, grid: 'float[:,:]', square: 'float[:,:]') -> None:
                 effect = control_effect(order, derivative, cell, node)
                 total = total + effect * grid[first + cell, GridRow.BY + j]
             grid[i, GridRow.BY + j] = total
+    for i in range(first + Cells.COUNT):
+        write_products(grid[i, :])
+
+
+def write_products(row: 'float[:]') -> None:
+    """Write the products of a row's dependences: a model of the barrier takes them often."""
+    place = int(GridRow.PRODUCT)
+    for j in range(int(GridColumn.ENDS), GridColumn.TIME):
+        for k in range(int(GridColumn.ENDS), j + 1):
+            row[place] = row[GridRow.BY + j] * row[GridRow.BY + k]
+            place = place + 1
 
 
 def write_least_controls(

@@ -11,6 +11,7 @@ from segfmu.kernels.passage.records import (
     GridColumn,
     GridRow,
     Link,
+    Pair,
     Path,
     Solved,
     Square,
@@ -50,8 +51,11 @@ def row_change(
 
 def add_share(
     row: int, count: int, link: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]'
-) -> None:
-    """Add the barrier of a share to Hessian and gradient, but for the units of their columns."""
+) -> float:
+    """Add the barrier of a share to Hessian and gradient, but for the units of their columns.
+
+    Returns its part of the curvature by the duration.
+    """
     derivative = int(grid[row, GridRow.ORDER])
     slope, bend = row_change(row, count, grid, square)
     share = grid[row, GridRow.SHARE]
@@ -66,18 +70,25 @@ def add_share(
         by = grid[row, GridRow.BY + j]
         link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + pull * by
         square[Square.CROSS, j] = square[Square.CROSS, j] + crossed * by
-        value = curve * by
-        for k in range(int(GridColumn.ENDS), j + 1):
-            added = value * grid[row, GridRow.BY + k]
-            square[Square.HESSIAN + j, k] = square[Square.HESSIAN + j, k] + added
-    time = Square.HESSIAN + GridColumn.TIME
+    # all at once, and not row by row of the Hessian: half of a choice was spent there
+    for place in range(pair_place(count, GridColumn.ENDS)):
+        added = curve * grid[row, GridRow.PRODUCT + place]
+        square[Square.HESSIAN, place] = square[Square.HESSIAN, place] + added
     link[Link.GRADIENT, GridColumn.TIME] = link[Link.GRADIENT, GridColumn.TIME] + first * slope
-    square[time, GridColumn.TIME] = square[time, GridColumn.TIME] + second * slope * slope
     square[Square.CROSS, GridColumn.TIME] = square[Square.CROSS, GridColumn.TIME] + first * bend
+    return second * slope * slope
+
+
+def pair_place(one: int, other: int) -> int:
+    """Where two columns, `one` no sooner than `other`, have their entry (Pair)."""
+    row = one - GridColumn.ENDS
+    place = row * (row + 1) // 2
+    return place + other - GridColumn.ENDS
 
 
 def give_units(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
     """Multiply Hessian and gradient by the units of their columns."""
+    place = 0
     for j in range(int(GridColumn.ENDS), count):
         unit = square[Square.UNIT, j]
         power = square[Square.POWER, j]
@@ -85,8 +96,9 @@ def give_units(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
         crossed = unit * square[Square.CROSS, j]
         square[Square.CROSS, j] = crossed + power * link[Link.GRADIENT, j]
         for k in range(int(GridColumn.ENDS), j + 1):
-            value = unit * square[Square.UNIT, k] * square[Square.HESSIAN + j, k]
-            square[Square.HESSIAN + j, k] = value
+            value = unit * square[Square.UNIT, k] * square[Square.HESSIAN, place]
+            square[Square.HESSIAN, place] = value
+            place = place + 1
 
 
 def write_model(
@@ -101,29 +113,29 @@ def write_model(
     for j in range(GridColumn.SIZE):
         link[Link.GRADIENT, j] = 0.0
         square[Square.CROSS, j] = 0.0
-        for k in range(GridColumn.SIZE):
-            square[Square.HESSIAN + j, k] = 0.0
+    for place in range(Pair.SIZE):
+        square[Square.HESSIAN, place] = 0.0
     count = int(GridColumn.COMPONENTS + path[Path.COMPONENTS])
+    curvature = 0.0
     for i in range(int(path[Path.ROWS])):
         if link[Link.SCALE, int(grid[i, GridRow.ORDER])] > 0.0:
-            add_share(i, count, link, grid, square)
+            curvature = curvature + add_share(i, count, link, grid, square)
     give_units(count, link, square)
     for j in range(int(GridColumn.ENDS), GridColumn.COMPONENTS):
-        diagonal = square[Square.HESSIAN + j, j]
-        square[Square.HESSIAN + j, j] = (1.0 + ridge) * diagonal
-    row = Square.HESSIAN + GridColumn.TIME
-    diagonal = (1.0 + ridge) * square[row, GridColumn.TIME]
-    square[row, GridColumn.TIME] = diagonal + square[Square.CROSS, GridColumn.TIME]
+        place = pair_place(j, j)
+        square[Square.HESSIAN, place] = (1.0 + ridge) * square[Square.HESSIAN, place]
+    curvature = (1.0 + ridge) * curvature
+    square[Square.CROSS, GridColumn.TIME] = curvature + square[Square.CROSS, GridColumn.TIME]
     eliminate(int(path[Path.COMPONENTS]), link, square)
 
 
 def hessian_entry(one: int, other: int, square: 'float[:,:]') -> float:
-    """An entry of the Hessian, of which the lower half and the duration's slopes are written."""
+    """An entry of the Hessian, that of the duration included."""
     first = max(one, other)
     second = min(one, other)
-    if first == GridColumn.TIME and second != first:
+    if first == GridColumn.TIME:
         return square[Square.CROSS, second]
-    return square[Square.HESSIAN + first, second]
+    return square[Square.HESSIAN, pair_place(first, second)]
 
 
 def outer_column(place: int) -> int:
@@ -136,27 +148,24 @@ def outer_column(place: int) -> int:
 def eliminate(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write the components by what is around them, and what is left of slope and curvature."""
     own = square[Square.OWN:Square.RIGHT, :]
-    right = square[Square.RIGHT:Square.BASIS, :]
+    coupled = square[Square.RIGHT:Square.BASIS, :]
+    solved = link[Link.SOLVED:Link.KEPT, :]
     for i in range(count):
         for j in range(count):
             own[i, j] = hessian_entry(GridColumn.COMPONENTS + i, GridColumn.COMPONENTS + j, square)
         for j in range(Solved.ALONE):
-            right[i, j] = hessian_entry(GridColumn.COMPONENTS + i, outer_column(j), square)
-        right[i, Solved.ALONE] = link[Link.GRADIENT, GridColumn.COMPONENTS + i]
-    matrix_solve(count, int(Solved.SIZE), own, right)
-    for i in range(count):
-        for j in range(Solved.SIZE):
-            link[Link.SOLVED + i, j] = right[i, j]
+            coupled[i, j] = hessian_entry(GridColumn.COMPONENTS + i, outer_column(j), square)
+            solved[i, j] = coupled[i, j]
+        solved[i, Solved.ALONE] = link[Link.GRADIENT, GridColumn.COMPONENTS + i]
+    matrix_solve(count, int(Solved.SIZE), own, solved)
     for j in range(Solved.ALONE):
         column = outer_column(j)
         slope = link[Link.GRADIENT, column]
         for i in range(count):
-            coupled = hessian_entry(column, GridColumn.COMPONENTS + i, square)
-            slope = slope - coupled * right[i, Solved.ALONE]
+            slope = slope - coupled[i, j] * solved[i, Solved.ALONE]
         link[Link.SLOPE, j] = slope
         for k in range(Solved.ALONE):
             value = hessian_entry(column, outer_column(k), square)
             for i in range(count):
-                coupled = hessian_entry(column, GridColumn.COMPONENTS + i, square)
-                value = value - coupled * right[i, k]
+                value = value - coupled[i, j] * solved[i, k]
             link[Link.CURVE + j, k] = value

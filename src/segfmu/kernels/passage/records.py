@@ -101,10 +101,17 @@ class GridColumn(Record):
     TIME = field("logarithm of the duration, in the barrier's model")
 
 
+class Pair(Record):
+    """Two columns of a grid, from the ends on."""
+
+    ENTRY = field("of the lower half of a symmetric matrix, row by row", size=91)
+
+
 class GridRow(Record):
     """A derivative at a node, or the control in a cell."""
 
     BY = field("its dependence on each `GridColumn`", size=GridColumn.TIME)
+    PRODUCT = field("of two of these, see Pair", size=Pair.SIZE)
     ORDER = field("of the derivative")
     SHARE = field("its value over its limit")
 
@@ -149,7 +156,7 @@ class Square(Record):
     POWER = field("of the duration", of=GridColumn)
     PART = field("the column's variable in this unit", of=GridColumn)
     SCALE = field("of a derivative, by its order: what makes it a share")
-    HESSIAN = field("of the barrier, its lower half", size=GridColumn.SIZE, of=GridColumn)
+    HESSIAN = field("of the barrier", of=Pair)
     CROSS = field("its entries by a variable and the duration", of=GridColumn)
     OWN = field("its part of the components", size=9, of=GridColumn)
     RIGHT = field("right-hand sides", size=9, of=GridColumn)
