@@ -30,7 +30,7 @@ def chain(order: int, start: tuple[float, float], control: np.ndarray, duration:
 @pytest.mark.parametrize("order", [3, 4])
 def test_motions_on_the_grid_arrive_and_have_the_derivatives_it_says(order: int) -> None:
     random = np.random.default_rng(order)
-    rows = 11 * order + CELLS
+    rows = Cells.INNER * order + CELLS
     grid = np.zeros((Cells.ROWS, GridRow.SIZE))
     write_grid(order, grid, np.zeros((Square.SIZE, Square.COLUMNS)))
     orders = grid[:rows, GridRow.ORDER]

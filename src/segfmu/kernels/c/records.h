@@ -1670,9 +1670,9 @@ enum {
 /* kernels/passage/records.py */
 
 enum {
-    CELLS_COUNT = 12,
-    CELLS_INNER = 11,
-    CELLS_ROWS = 56
+    CELLS_COUNT = 10,
+    CELLS_INNER = 9,
+    CELLS_ROWS = 46
 };
 
 enum {
@@ -1769,21 +1769,21 @@ enum {
     GRID_COLUMN_DISTANCE = 0,
     GRID_COLUMN_ENDS = 1,
     GRID_COLUMN_COMPONENTS = 5,
-    GRID_COLUMN_TIME = 14,
-    GRID_COLUMN_SIZE = 15
+    GRID_COLUMN_TIME = 12,
+    GRID_COLUMN_SIZE = 13
 };
 
 enum {
     PAIR_ENTRY = 0,
-    PAIR_SIZE = 91
+    PAIR_SIZE = 66
 };
 
 enum {
     GRID_ROW_BY = 0,
-    GRID_ROW_PRODUCT = 14,
-    GRID_ROW_ORDER = 105,
-    GRID_ROW_SHARE = 106,
-    GRID_ROW_SIZE = 107
+    GRID_ROW_PRODUCT = 12,
+    GRID_ROW_ORDER = 78,
+    GRID_ROW_SHARE = 79,
+    GRID_ROW_SIZE = 80
 };
 
 enum {
@@ -1797,9 +1797,9 @@ enum {
     LINK_SLOPE = 7,
     LINK_CURVE = 8,
     LINK_SOLVED = 13,
-    LINK_KEPT = 22,
-    LINK_SIZE = 23,
-    LINK_COLUMNS = 15
+    LINK_KEPT = 20,
+    LINK_SIZE = 21,
+    LINK_COLUMNS = 13
 };
 
 enum {
@@ -1826,18 +1826,18 @@ enum {
     SQUARE_HESSIAN = 4,
     SQUARE_CROSS = 5,
     SQUARE_OWN = 6,
-    SQUARE_RIGHT = 15,
-    SQUARE_BASIS = 24,
-    SQUARE_SIZE = 33,
-    SQUARE_COLUMNS = 91
+    SQUARE_RIGHT = 13,
+    SQUARE_BASIS = 20,
+    SQUARE_SIZE = 27,
+    SQUARE_COLUMNS = 66
 };
 
 enum {
     TOOLS_PATH = 0,
     TOOLS_GRID = 1,
-    TOOLS_SQUARE = 57,
-    TOOLS_SIZE = 90,
-    TOOLS_COLUMNS = 107
+    TOOLS_SQUARE = 47,
+    TOOLS_SIZE = 74,
+    TOOLS_COLUMNS = 80
 };
 
 enum {
