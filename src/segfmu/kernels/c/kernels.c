@@ -24317,7 +24317,7 @@ result = write_steps(path, tracks, spots, links, spans, band, theta);
 return result;
 }
 }
-ridge = span_max(ridge / 0.1, 0.1);
+ridge = span_max(ridge / 0.1, 0.001);
 }
 return -1e+300;
 }

@@ -39,8 +39,6 @@ FASTER = 3.1622776601683795
 SLOWING = 1.02
 # a gap is reached within this factor
 ENOUGH = 1.05
-# share of a diagonal that is added to it where the barrier is not convex
-RIDGE = 0.1
 # what steps to the centre promise where they end, of a unit for each limit, and on the way to a
 # smaller gap
 CENTRED = 0.5
@@ -101,7 +99,8 @@ def write_step_of(
 ) -> float:
     """Write Newton's step at the tried point; the decrease it promises, -NEVER: none.
 
-    Where the barrier is not convex, a share is added to the diagonal.
+    Where the barrier is not convex, a share is added to the diagonal: a small one at first, as a
+    large one leaves next to no step.
     """
     axes = int(path[Path.AXES])
     ridge = 0.0
@@ -114,7 +113,7 @@ def write_step_of(
             write_band(path, tracks, spots, links, spans, band)
             if band_solve(band):
                 return write_steps(path, tracks, spots, links, spans, band, theta)
-        ridge = max(ridge / RIDGE, RIDGE)
+        ridge = max(ridge / SMALL, FINE)
     return -NEVER
 
 
