@@ -1,7 +1,8 @@
-"""Records and codes of all rooms -> kernels/c/records.h and docs/records.md."""
+"""Records and codes of all rooms -> docs/records.md, those that C names -> kernels/c/records.h."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
@@ -12,7 +13,8 @@ from segfmu.errors import BuildError
 from segfmu.kernels.records import Codes, Field, Record, c_name
 
 HEADER = KERNELS / "c" / "records.h"
-PAGE = Path(__file__).parents[3] / "docs" / "records.md"
+ROOT = Path(__file__).parents[3]
+PAGE = ROOT / "docs" / "records.md"
 
 Declared = type[Record] | type[Codes]
 
@@ -22,8 +24,9 @@ INTRODUCTION = """# Records
 
 For contributors: what the entries of the kernels' arrays are. A record names the entries of an
 array, or the rows of one with two dimensions; codes are numbers with a meaning. Kernels, the Python
-layer and the C of the FMUs use these names alone: `Plant.LAG` in Python is `PLANT_LAG` in C. A
-record that begins with the fields of another one can be passed in its place.
+layer and the C of the FMUs use these names alone: `Plant.LAG` in Python is `PLANT_LAG` in C, whose
+header has the records of which it names an entry. A record that begins with the fields of another
+one can be passed in its place.
 """
 
 
@@ -49,6 +52,7 @@ def _rooms() -> dict[str, list[Declared]]:
 def _header(rooms: dict[str, list[Declared]]) -> str:
     values: dict[str, int] = {}
     texts = []
+    named = _names_in_c()
     for room, declared in rooms.items():
         texts.append(f"/* kernels/{room}/records.py */")
         for one in declared:
@@ -57,11 +61,22 @@ def _header(rooms: dict[str, list[Declared]]) -> str:
             if repeated:
                 raise BuildError(f"records.h: {', '.join(sorted(repeated))} more than once")
             values |= constants
+            # wheels carry the header
+            if named.isdisjoint(constants):
+                continue
             lines = ",\n".join(f"    {name} = {value}" for name, value in constants.items())
             texts.append(f"enum {{\n{lines}\n}};")
     body = "\n\n".join(texts)
     banner = BANNER.replace("kernels in Python", "records of the kernels")
     return f"{banner}#ifndef SEGFMU_RECORDS_H\n#define SEGFMU_RECORDS_H\n\n{body}\n\n#endif\n"
+
+
+def _names_in_c() -> set[str]:
+    """Names in capitals of all C sources, those of benchmarks and tests too, but of the header."""
+    folders = [KERNELS.parent, ROOT / "benchmarks", ROOT / "tests"]
+    sources = [p for folder in folders for p in folder.rglob("*.[ch]") if p != HEADER]
+    texts = "".join(path.read_text(encoding="utf-8") for path in sources)
+    return set(re.findall(r"\b[A-Z][A-Z0-9_]*\b", texts))
 
 
 def constant(one: Declared, name: str) -> str:

@@ -14,14 +14,6 @@ enum {
 };
 
 enum {
-    MOMENT_START = 0,
-    MOMENT_LENGTH = 1,
-    MOMENT_DEPTH = 2,
-    MOMENT_TURN_ROUNDING = 3,
-    MOMENT_ROUNDING = 4
-};
-
-enum {
     BOX_LOAD_LOW = 0,
     BOX_LOAD_HIGH = 3,
     BOX_ROPE_LOW = 6,
@@ -61,28 +53,6 @@ enum {
 enum {
     SPACE_LIMITS_FACES = 6,
     SPACE_LIMITS_OBSTACLES = 16
-};
-
-enum {
-    PART_CLEAR = 0,
-    PART_LOAD = 1,
-    PART_ROPE = 2
-};
-
-enum {
-    MEETING_NEVER = 0,
-    MEETING_ALWAYS = 1,
-    MEETING_OPEN = 2
-};
-
-enum {
-    COLLISION_BEGIN = 0,
-    COLLISION_END = 1,
-    COLLISION_X = 2,
-    COLLISION_Y = 3,
-    COLLISION_Z = 4,
-    COLLISION_BOX = 5,
-    COLLISION_SIZE = 6
 };
 
 enum {
@@ -145,24 +115,6 @@ enum {
 };
 
 enum {
-    TICK_SIGNALS = 0,
-    TICK_REFERENCE = 1,
-    TICK_ADDED_TO = 2,
-    TICK_CORRECTION = 3,
-    TICK_SIZE = 4,
-    TICK_COLUMNS = 10
-};
-
-enum {
-    GAIN_INPUTS_POSITION = 0,
-    GAIN_INPUTS_ANGLE = 3,
-    GAIN_INPUTS_VELOCITY = 5,
-    GAIN_INPUTS_RATE = 8,
-    GAIN_INPUTS_COMMAND = 10,
-    GAIN_INPUTS_SIZE = 11
-};
-
-enum {
     GAINS_LENGTH = 0,
     GAINS_AXES = 1,
     GAINS_SIZE = 4,
@@ -178,16 +130,6 @@ enum {
 };
 
 enum {
-    ESTIMATE_POSITION = 0,
-    ESTIMATE_ANGLE = 1,
-    ESTIMATE_VELOCITY = 2,
-    ESTIMATE_RATE = 3,
-    ESTIMATE_DRIFT = 4,
-    ESTIMATE_WIND = 5,
-    ESTIMATE_SIZE = 6
-};
-
-enum {
     AXIS_MODEL_POSITION = 0,
     AXIS_MODEL_ANGLE = 1,
     AXIS_MODEL_VELOCITY = 2,
@@ -197,20 +139,6 @@ enum {
     AXIS_MODEL_COMMAND = 6,
     AXIS_MODEL_CORRECTION = 7,
     AXIS_MODEL_SIZE = 8
-};
-
-enum {
-    AXIS_TABLE_POSITION = 0,
-    AXIS_TABLE_ANGLE = 1,
-    AXIS_TABLE_VELOCITY = 2,
-    AXIS_TABLE_RATE = 3,
-    AXIS_TABLE_DRIFT = 4,
-    AXIS_TABLE_WIND = 5,
-    AXIS_TABLE_COMMAND = 6,
-    AXIS_TABLE_CORRECTION = 7,
-    AXIS_TABLE_POSITION_GAIN = 8,
-    AXIS_TABLE_ANGLE_GAIN = 9,
-    AXIS_TABLE_SIZE = 10
 };
 
 enum {
@@ -232,23 +160,6 @@ enum {
 };
 
 enum {
-    MODEL_WORK_TERM = 0,
-    MODEL_WORK_PRODUCT = 8,
-    MODEL_WORK_TRANSPOSED = 16,
-    MODEL_WORK_SIZE = 24
-};
-
-enum {
-    DOUBLING_TRANSPOSED = 0,
-    DOUBLING_INFORMATION = 8,
-    DOUBLING_FACTOR = 16,
-    DOUBLING_SOLUTION = 24,
-    DOUBLING_PRODUCT = 32,
-    DOUBLING_CHANGE = 40,
-    DOUBLING_SIZE = 48
-};
-
-enum {
     KALMAN_TRANSPOSED = 0,
     KALMAN_INFORMATION = 8,
     KALMAN_FACTOR = 16,
@@ -262,15 +173,6 @@ enum {
 };
 
 enum {
-    LOOPS_MOST = 48
-};
-
-enum {
-    LOOP_STATES_STATES = 0,
-    LOOP_STATES_SIZE = 48
-};
-
-enum {
     LOOP_WORK_MODEL = 0,
     LOOP_WORK_TRANSITION = 8,
     LOOP_WORK_TERM = 16,
@@ -281,11 +183,6 @@ enum {
     LOOP_WORK_GAINS = 129,
     LOOP_WORK_SIZE = 130,
     LOOP_WORK_COLUMNS = 48
-};
-
-enum {
-    OFFSET_CAUSE_WIND = 0,
-    OFFSET_CAUSE_SENSOR = 1
 };
 
 enum {
@@ -320,75 +217,6 @@ enum {
 };
 
 enum {
-    OFFSET_SIGNALS_PLACE = 0,
-    OFFSET_SIGNALS_DIRECTION = 3,
-    OFFSET_SIGNALS_START = 6,
-    OFFSET_SIGNALS_SIZE = 7
-};
-
-enum {
-    OFFSET_FILTER_INPUT = 0,
-    OFFSET_FILTER_FIRST = 1,
-    OFFSET_FILTER_SECOND = 2,
-    OFFSET_FILTER_THIRD = 3,
-    OFFSET_FILTER_SIZE = 4,
-    OFFSET_FILTER_COLUMNS = 7
-};
-
-enum {
-    OFFSET_EQUATION_RESIDUAL = 0,
-    OFFSET_EQUATION_FACTOR = 1,
-    OFFSET_EQUATION_INSTRUMENT = 2,
-    OFFSET_EQUATION_SIZE = 3
-};
-
-enum {
-    OFFSET_MEANS_AXES = 0,
-    OFFSET_MEANS_START = 6,
-    OFFSET_MEANS_STARTED = 8,
-    OFFSET_MEANS_SIZE = 9
-};
-
-enum {
-    OFFSET_ESTIMATE_FOUND = 0,
-    OFFSET_ESTIMATE_DEVIATION = 1,
-    OFFSET_ESTIMATE_TICKS = 2,
-    OFFSET_ESTIMATE_LAST = 3,
-    OFFSET_ESTIMATE_VALID = 4,
-    OFFSET_ESTIMATE_USED = 5,
-    OFFSET_ESTIMATE_SIZE = 6
-};
-
-enum {
-    OFFSET_SUMS_ZR = 0,
-    OFFSET_SUMS_ZF = 1,
-    OFFSET_SUMS_ZZRR = 2,
-    OFFSET_SUMS_ZZRF = 3,
-    OFFSET_SUMS_ZZFF = 4,
-    OFFSET_SUMS_ZZ = 5,
-    OFFSET_SUMS_SIZE = 6
-};
-
-enum {
-    OFFSET_MEMORY_MEASURED = 0,
-    OFFSET_MEMORY_PLANNED = 4,
-    OFFSET_MEMORY_MEANS = 8,
-    OFFSET_MEMORY_ESTIMATE = 9,
-    OFFSET_MEMORY_SUMS = 10,
-    OFFSET_MEMORY_SIGNALS = 11,
-    OFFSET_MEMORY_EQUATIONS = 12,
-    OFFSET_MEMORY_SIZE = 14,
-    OFFSET_MEMORY_COLUMNS = 9
-};
-
-enum {
-    HELD_INPUT = 0,
-    HELD_CORRECTION = 3,
-    HELD_AWAKE = 6,
-    HELD_SIZE = 7
-};
-
-enum {
     VELOCITY_COMMAND_VELOCITY = 0,
     VELOCITY_COMMAND_STARTED = 3,
     VELOCITY_COMMAND_SWITCHED = 4,
@@ -396,28 +224,7 @@ enum {
 };
 
 enum {
-    FADING_STEP = 0,
-    FADING_PAYLOAD = 3,
-    FADING_SIZE = 4
-};
-
-enum {
     HISTORY_MOST = 40
-};
-
-enum {
-    PAST_INPUT = 0,
-    PAST_REFERENCE = 3,
-    PAST_SIZE = 13
-};
-
-enum {
-    SITUATION_WEIGHT = 0,
-    SITUATION_LENGTH = 1,
-    SITUATION_VELOCITY = 2,
-    SITUATION_PLACE = 5,
-    SITUATION_RATE = 8,
-    SITUATION_SIZE = 11
 };
 
 enum {
@@ -489,21 +296,6 @@ enum {
 };
 
 /* kernels/crane/records.py */
-
-enum {
-    DRIVE_MODE_FORCE = 0,
-    DRIVE_MODE_VELOCITY = 1
-};
-
-enum {
-    GUST_SHAPE_COSINE = 0,
-    GUST_SHAPE_SINE = 1
-};
-
-enum {
-    SLACK_ROPE_ERROR = 0,
-    SLACK_ROPE_FREE_FALL = 1
-};
 
 enum {
     PLANT_STATUS_DONE = 0,
@@ -652,14 +444,6 @@ enum {
 };
 
 enum {
-    FLAT_INVERSE_FORCE = 0,
-    FLAT_INVERSE_STATE = 3,
-    FLAT_INVERSE_ACCELERATION = 13,
-    FLAT_INVERSE_SIZE = 18,
-    FLAT_INVERSE_COLUMNS = 10
-};
-
-enum {
     FEEDFORWARD_FORCE = 0,
     FEEDFORWARD_STATE = 3,
     FEEDFORWARD_ACCELERATION = 13,
@@ -699,16 +483,6 @@ enum {
 };
 
 enum {
-    BOUND_STATUS_KEPT = 0,
-    BOUND_STATUS_FORCE = 1,
-    BOUND_STATUS_VELOCITY = 2,
-    BOUND_STATUS_ACCELERATION = 3,
-    BOUND_STATUS_POWER = 4,
-    BOUND_STATUS_TRAVEL = 5,
-    BOUND_STATUS_SWAY = 6
-};
-
-enum {
     BOUND_FAULT_DRIVE = 0,
     BOUND_FAULT_AXIS = 1,
     BOUND_FAULT_STOPPED = 2,
@@ -728,37 +502,8 @@ enum {
 };
 
 enum {
-    MOST_SERIES_LOAD = 0,
-    MOST_SERIES_PULL = 3,
-    MOST_SERIES_INTERMEDIATE = 6,
-    MOST_SERIES_COORDINATES = 13,
-    MOST_SERIES_OWN = 18,
-    MOST_SERIES_SIZE = 23
-};
-
-enum {
     FLAT_ORDERS_CRANE = 5,
     FLAT_ORDERS_MOST = 7
-};
-
-enum {
-    DEMAND_WORK_FORCE = 0,
-    DEMAND_WORK_STATE = 1,
-    DEMAND_WORK_ACCELERATION = 2,
-    DEMAND_WORK_SERIES = 3,
-    DEMAND_WORK_SIZE = 26,
-    DEMAND_WORK_COLUMNS = 10
-};
-
-enum {
-    SOUGHT_NODES = 17,
-    SOUGHT_HALVINGS = 12,
-    SOUGHT_GRID = 65
-};
-
-enum {
-    CHEBYSHEV_NODES_VALUE = 0,
-    CHEBYSHEV_NODES_SIZE = 17
 };
 
 enum {
@@ -789,13 +534,6 @@ enum {
 };
 
 enum {
-    HISTORY_AXIS = 0,
-    HISTORY_COUNT = 1,
-    HISTORY_DIRECTION = 2,
-    HISTORY_SIZE = 3
-};
-
-enum {
     CONTACT_WORK_FORCE = 0,
     CONTACT_WORK_STATE = 1,
     CONTACT_WORK_ACCELERATION = 2,
@@ -819,52 +557,6 @@ enum {
 };
 
 enum {
-    LOAD_MOTION_POSITION = 0,
-    LOAD_MOTION_VELOCITY = 3,
-    LOAD_MOTION_ACCELERATION = 6,
-    LOAD_MOTION_JERK = 9,
-    LOAD_MOTION_SNAP = 12,
-    LOAD_MOTION_SIZE = 15
-};
-
-enum {
-    LOAD_POSITION = 0,
-    LOAD_VELOCITY = 1,
-    LOAD_SIZE = 2,
-    LOAD_COLUMNS = 3
-};
-
-enum {
-    GENERALISED_FORCE_FORCE = 0,
-    GENERALISED_FORCE_TORQUE = 3,
-    GENERALISED_FORCE_SIZE = 5
-};
-
-enum {
-    COMMAND_RATES_LINEAR = 0,
-    COMMAND_RATES_SQUARE = 3,
-    COMMAND_RATES_CUBE = 6,
-    COMMAND_RATES_SIZE = 9
-};
-
-enum {
-    ACTION_FORCE = 0,
-    ACTION_SATURATED = 3,
-    ACTION_ROPE_FORCE = 6,
-    ACTION_SLING_TENSION = 7,
-    ACTION_SIZE = 8
-};
-
-enum {
-    STAGE_ACTION_FORCE = 0,
-    STAGE_ACTION_SATURATED = 3,
-    STAGE_ACTION_ROPE_FORCE = 6,
-    STAGE_ACTION_SLING_TENSION = 7,
-    STAGE_ACTION_SATURATED_BEFORE = 8,
-    STAGE_ACTION_SIZE = 11
-};
-
-enum {
     REPORT_FORCE = 0,
     REPORT_SATURATED = 3,
     REPORT_ROPE_FORCE = 6,
@@ -874,24 +566,6 @@ enum {
     REPORT_ELAPSED = 10,
     REPORT_STEP_SATURATED = 11,
     REPORT_SIZE = 14
-};
-
-enum {
-    FORCE_LIMIT_SIDE = 0,
-    FORCE_LIMIT_CHANGE = 3,
-    FORCE_LIMIT_ROPE = 6,
-    FORCE_LIMIT_BOUND = 9,
-    FORCE_LIMIT_LOWER = 12,
-    FORCE_LIMIT_ADDED = 15,
-    FORCE_LIMIT_MASS = 18,
-    FORCE_LIMIT_SIZE = 19
-};
-
-enum {
-    AIR_RELATIVE = 0,
-    AIR_RATE = 3,
-    AIR_FORCE_RATE = 6,
-    AIR_SIZE = 9
 };
 
 enum {
@@ -930,25 +604,9 @@ enum {
 };
 
 enum {
-    DRIVEN_PARTIALS_ANGLE = 0,
-    DRIVEN_PARTIALS_FORCE = 2,
-    DRIVEN_PARTIALS_SIZE = 5
-};
-
-enum {
     LOAD_PARTIALS_POSITION = 0,
     LOAD_PARTIALS_VELOCITY = 3,
     LOAD_PARTIALS_SIZE = 6
-};
-
-enum {
-    ROPE_DEMAND_MET = 0,
-    ROPE_DEMAND_BELOW_TROLLEY = 1,
-    ROPE_DEMAND_TAUT = 2,
-    ROPE_DEMAND_NOT_TOO_LONG = 3,
-    ROPE_DEMAND_NOT_TOO_SHORT = 4,
-    ROPE_DEMAND_ALL_TAUT = 5,
-    ROPE_DEMAND_END_BELOW_TROLLEY = 6
 };
 
 enum {
@@ -985,13 +643,6 @@ enum {
 };
 
 enum {
-    HOOK_COORDINATES_POSITION = 0,
-    HOOK_COORDINATES_ANGLE = 3,
-    HOOK_COORDINATES_SLING_ANGLE = 5,
-    HOOK_COORDINATES_SIZE = 7
-};
-
-enum {
     HOOK_STATE_POSITION = 0,
     HOOK_STATE_ANGLE = 3,
     HOOK_STATE_SLING_ANGLE = 5,
@@ -1016,45 +667,6 @@ enum {
     HOOK_FEEDFORWARD_VELOCITY = 24,
     HOOK_FEEDFORWARD_SIZE = 27,
     HOOK_FEEDFORWARD_COLUMNS = 14
-};
-
-enum {
-    HOOK_FREQUENCIES_SLOW = 0,
-    HOOK_FREQUENCIES_FAST = 1,
-    HOOK_FREQUENCIES_SIZE = 2
-};
-
-enum {
-    HOOK_MOTION_POSITION = 0,
-    HOOK_MOTION_VELOCITY = 1,
-    HOOK_MOTION_ACCELERATION = 2,
-    HOOK_MOTION_JERK = 3,
-    HOOK_MOTION_SIZE = 4,
-    HOOK_MOTION_COLUMNS = 3
-};
-
-enum {
-    HOOK_TENSION_FORCE = 0,
-    HOOK_TENSION_RATE = 1,
-    HOOK_TENSION_SIZE = 2
-};
-
-enum {
-    HOOK_LINKS_ROPE = 0,
-    HOOK_LINKS_ROPE_RATE = 1,
-    HOOK_LINKS_SLING = 2,
-    HOOK_LINKS_SLING_RATE = 3,
-    HOOK_LINKS_RELATIVE = 4,
-    HOOK_LINKS_SIZE = 5,
-    HOOK_LINKS_COLUMNS = 3
-};
-
-enum {
-    HOOK_MARGINS_TAUT = 0,
-    HOOK_MARGINS_BELOW = 1,
-    HOOK_MARGINS_SHORT = 2,
-    HOOK_MARGINS_LONG = 3,
-    HOOK_MARGINS_SIZE = 4
 };
 
 enum {
@@ -1096,11 +708,6 @@ enum {
 };
 
 enum {
-    SLING_ACCELERATIONS_ANGLE = 0,
-    SLING_ACCELERATIONS_SIZE = 2
-};
-
-enum {
     HOOK_OUTPUTS_ANGLE = 0,
     HOOK_OUTPUTS_RATE = 2,
     HOOK_OUTPUTS_POSITION = 4,
@@ -1121,15 +728,6 @@ enum {
     HOOK_AXIS_COMMAND = 7,
     HOOK_AXIS_CORRECTION = 8,
     HOOK_AXIS_SIZE = 9
-};
-
-enum {
-    HOOK_AXIS_TABLE_TRANSITION = 0,
-    HOOK_AXIS_TABLE_GAINS = 8,
-    HOOK_AXIS_TABLE_POSITION_GAIN = 9,
-    HOOK_AXIS_TABLE_ANGLE_GAIN = 10,
-    HOOK_AXIS_TABLE_SIZE = 11,
-    HOOK_AXIS_TABLE_COLUMNS = 9
 };
 
 enum {
@@ -1236,26 +834,11 @@ enum {
 };
 
 enum {
-    LIMIT_STATUS_FOUND = 0,
-    LIMIT_STATUS_UNBOUNDED = 1,
-    LIMIT_STATUS_SLOW_VELOCITY = 2,
-    LIMIT_STATUS_SLOW_ACCELERATION = 3
-};
-
-enum {
     LIMIT_FAULT_AXIS = 0,
     LIMIT_FAULT_DRIVE = 1,
     LIMIT_FAULT_SIDE = 2,
     LIMIT_FAULT_VALUE = 3,
     LIMIT_FAULT_SIZE = 4
-};
-
-enum {
-    SEARCH_STAGE_START = 0,
-    SEARCH_STAGE_ENTER = 1,
-    SEARCH_STAGE_POLL = 2,
-    SEARCH_STAGE_SLOPE = 3,
-    SEARCH_STAGE_STEP = 4
 };
 
 enum {
@@ -1275,12 +858,6 @@ enum {
     SEARCH_FREE = 16,
     SEARCH_SIZE = 17,
     SEARCH_COLUMNS = 10
-};
-
-enum {
-    UNKNOWN_GIVEN = 0,
-    UNKNOWN_LIMIT = 1,
-    UNKNOWN_STATE = 2
 };
 
 enum {
@@ -1344,17 +921,6 @@ enum {
 };
 
 enum {
-    GIVEN_TIME_AT_START = -1000000000
-};
-
-enum {
-    RANGE_STATUS_INSIDE = 0,
-    RANGE_STATUS_BELOW = 1,
-    RANGE_STATUS_OUTSIDE = 2,
-    RANGE_STATUS_ABOVE = 3
-};
-
-enum {
     RANGE_FAULT_VALUE = 0,
     RANGE_FAULT_LEAST = 1,
     RANGE_FAULT_MOST = 2,
@@ -1394,32 +960,6 @@ enum {
 };
 
 enum {
-    TRIES_USUAL = 3,
-    TRIES_MOST = 9
-};
-
-enum {
-    ATTEMPT_FULL = 0,
-    ATTEMPT_SLOWER = 1,
-    ATTEMPT_SLOWEST = 2,
-    ATTEMPT_PART = 3,
-    ATTEMPT_LEVEL = 4,
-    ATTEMPT_UPRIGHT = 5,
-    ATTEMPT_STOP = 6,
-    ATTEMPT_STOP_SLOWER = 7,
-    ATTEMPT_STOP_SLOWEST = 8,
-    ATTEMPT_NONE = 9,
-    ATTEMPT_BLOCKED = 10
-};
-
-enum {
-    READY_STATUS_READY = 0,
-    READY_STATUS_DEAD_TIME = 1,
-    READY_STATUS_FRICTION = 2,
-    READY_STATUS_PIECES = 3
-};
-
-enum {
     READY_FAULT_DRIVE = 0,
     READY_FAULT_VALUE = 1,
     READY_FAULT_SIZE = 2
@@ -1441,18 +981,6 @@ enum {
     COMMAND_TAKE_OVER = 20,
     COMMAND_MEASURED = 21,
     COMMAND_SIZE = 31
-};
-
-enum {
-    DRIVE_BRAKES_DECELERATION = 0,
-    DRIVE_BRAKES_SIZE = 3
-};
-
-enum {
-    AIM_IS_TARGET = 0,
-    AIM_VALUE = 1,
-    AIM_SCALE = 4,
-    AIM_SIZE = 5
 };
 
 enum {
@@ -1485,17 +1013,6 @@ enum {
 };
 
 enum {
-    WAY_LOW = 0,
-    WAY_HIGH = 1,
-    WAY_SIZE = 2
-};
-
-enum {
-    MOTION_DERIVATIVES = 0,
-    MOTION_SIZE = 7
-};
-
-enum {
     SWING_ACTIVE = 0,
     SWING_COVERED = 1,
     SWING_POSITION = 2,
@@ -1511,23 +1028,6 @@ enum {
     SWING_TRIPPED = 28,
     SWING_CALM = 31,
     SWING_SIZE = 32
-};
-
-enum {
-    CONTROL_POINTS = 102,
-    CONTROL_DEGREE = 3,
-    CONTROL_FREE = 3,
-    CONTROL_SWING = 0,
-    CONTROL_PLACE = 2,
-    CONTROL_CONDITIONS = 3,
-    CONTROL_INTERVALS = 99,
-    CONTROL_STEPS = 4,
-    CONTROL_MANY = 1000
-};
-
-enum {
-    CONTROL_POINTS_VALUES = 0,
-    CONTROL_POINTS_SIZE = 102
 };
 
 enum {
@@ -1586,57 +1086,6 @@ enum {
 };
 
 enum {
-    COLUMN_VALUES = 0,
-    COLUMN_SIZE = 43
-};
-
-enum {
-    RANGE_CENTRE = 0,
-    RANGE_RADIUS = 1,
-    RANGE_SIZE = 2
-};
-
-enum {
-    REACH_POSITION = 0,
-    REACH_VELOCITY = 3,
-    REACH_ACCELERATION = 6,
-    REACH_JERK = 9,
-    REACH_SNAP = 12,
-    REACH_PULL = 15,
-    REACH_SLOPE = 16,
-    REACH_SLOPE_RATE = 18,
-    REACH_SLOPE_CHANGE = 20,
-    REACH_STRETCH = 22,
-    REACH_STRETCH_RATE = 23,
-    REACH_STRETCH_CHANGE = 24,
-    REACH_PRODUCT = 25,
-    REACH_SUM = 26,
-    REACH_DEMAND = 27,
-    REACH_SIZE = 44,
-    REACH_COLUMNS = 2
-};
-
-enum {
-    SWING_TERMS_CONSTANT = 0,
-    SWING_TERMS_LINEAR = 1,
-    SWING_TERMS_QUADRATIC = 2,
-    SWING_TERMS_CUBIC = 3,
-    SWING_TERMS_QUARTIC = 4,
-    SWING_TERMS_COUNT = 14,
-    SWING_TERMS_PIECES = 300,
-    SWING_TERMS_SPARE = 100,
-    SWING_TERMS_SWING = 63,
-    SWING_TERMS_LONGEST = 20000
-};
-
-enum {
-    FLAT_ORDER_POSITION = 0,
-    FLAT_ORDER_VELOCITY = 1,
-    FLAT_ORDER_ACCELERATION = 2,
-    FLAT_ORDER_COUNT = 5
-};
-
-enum {
     OPERATION_WORK_ROPE = 0,
     OPERATION_WORK_BOXES = 52,
     OPERATION_WORK_RANGES = 74,
@@ -1670,12 +1119,6 @@ enum {
 /* kernels/passage/records.py */
 
 enum {
-    CELLS_COUNT = 10,
-    CELLS_INNER = 9,
-    CELLS_ROWS = 46
-};
-
-enum {
     PATH_ORDER = 0,
     PATH_COMPONENTS = 1,
     PATH_ROWS = 2,
@@ -1696,14 +1139,6 @@ enum {
     PATH_SHARE = 17,
     PATH_MARGIN = 18,
     PATH_SIZE = 19
-};
-
-enum {
-    POINT_FAR = 0,
-    POINT_NEAR = 3,
-    POINT_FIRST = 5,
-    POINT_SECOND = 6,
-    POINT_LAST = 7
 };
 
 enum {
@@ -1749,12 +1184,6 @@ enum {
 };
 
 enum {
-    FREE_VELOCITY = 0,
-    FREE_ACCELERATION = 1,
-    FREE_SIZE = 2
-};
-
-enum {
     SPOT_FREE = 0,
     SPOT_ADMITTED = 1,
     SPOT_CHOSEN = 2,
@@ -1763,27 +1192,6 @@ enum {
     SPOT_TRIAL = 5,
     SPOT_SIZE = 6,
     SPOT_COLUMNS = 2
-};
-
-enum {
-    GRID_COLUMN_DISTANCE = 0,
-    GRID_COLUMN_ENDS = 1,
-    GRID_COLUMN_COMPONENTS = 5,
-    GRID_COLUMN_TIME = 12,
-    GRID_COLUMN_SIZE = 13
-};
-
-enum {
-    PAIR_ENTRY = 0,
-    PAIR_SIZE = 66
-};
-
-enum {
-    GRID_ROW_BY = 0,
-    GRID_ROW_PRODUCT = 12,
-    GRID_ROW_ORDER = 78,
-    GRID_ROW_SHARE = 79,
-    GRID_ROW_SIZE = 80
 };
 
 enum {
@@ -1819,32 +1227,11 @@ enum {
 };
 
 enum {
-    SQUARE_UNIT = 0,
-    SQUARE_POWER = 1,
-    SQUARE_PART = 2,
-    SQUARE_SCALE = 3,
-    SQUARE_HESSIAN = 4,
-    SQUARE_CROSS = 5,
-    SQUARE_OWN = 6,
-    SQUARE_RIGHT = 13,
-    SQUARE_BASIS = 20,
-    SQUARE_SIZE = 27,
-    SQUARE_COLUMNS = 66
-};
-
-enum {
     TOOLS_PATH = 0,
     TOOLS_GRID = 1,
     TOOLS_SQUARE = 47,
     TOOLS_SIZE = 74,
     TOOLS_COLUMNS = 80
-};
-
-enum {
-    SOLVED_ENDS = 0,
-    SOLVED_TIME = 4,
-    SOLVED_ALONE = 5,
-    SOLVED_SIZE = 6
 };
 
 /* kernels/planner/records.py */
@@ -1878,29 +1265,6 @@ enum {
     PLAN_STATUS_NO_VELOCITY_LIMIT = -14,
     PLAN_STATUS_NO_ACCELERATION_LIMIT = -15,
     PLAN_STATUS_SAMPLE_TIME = -16
-};
-
-enum {
-    BRAKING_START_FAILS = -1,
-    BRAKING_END_FAILS = -2,
-    BRAKING_NOT_NEEDED = -3
-};
-
-enum {
-    EFFORT_USUAL = 0,
-    EFFORT_QUICK = 1,
-    EFFORT_THOROUGH = 2
-};
-
-enum {
-    WEIGHT_MISSING = -1,
-    WEIGHT_UNBRAKED = -2
-};
-
-enum {
-    RISES_USUAL = 0,
-    RISES_MODERATE = 1,
-    RISES_STEEPEST = 2
 };
 
 enum {
@@ -1995,162 +1359,6 @@ enum {
 };
 
 enum {
-    LOOP_ARC_LOOP = 0,
-    LOOP_ARC_FIRST = 1,
-    LOOP_ARC_LAST = 2,
-    LOOP_ARC_FLAT_FIRST = 3,
-    LOOP_ARC_FLAT_LAST = 4,
-    LOOP_ARC_SINGLE = 5,
-    LOOP_ARC_FOLD = 6
-};
-
-enum {
-    FAMILY_V = 0,
-    FAMILY_A = 1,
-    FAMILY_W = 2,
-    FAMILY_B = 3,
-    FAMILY_TOP = 4,
-    FAMILY_BOTTOM = 5,
-    FAMILY_HIGHEST = 6,
-    FAMILY_LOWEST = 7,
-    FAMILY_LAST_RAMP = 8,
-    FAMILY_FIRST_UP = 9,
-    FAMILY_FIRST_DOWN = 10,
-    FAMILY_LAST_UP = 11,
-    FAMILY_LAST_DOWN = 12,
-    FAMILY_START_VELOCITY = 13,
-    FAMILY_REVERSE = 14,
-    FAMILY_MIRROR = 15,
-    FAMILY_BY_TIME = 16,
-    FAMILY_TARGET = 17,
-    FAMILY_MEMBER = 18,
-    FAMILY_SCALE = 19,
-    FAMILY_FREE = 20,
-    FAMILY_MISSED = 21,
-    FAMILY_SLOW = 22,
-    FAMILY_PASSED = 23,
-    FAMILY_PASSED_INSIDE = 24,
-    FAMILY_PASSED_VALUE = 25,
-    FAMILY_LOWERED = 26,
-    FAMILY_FIRST_TIME = 27,
-    FAMILY_FIRST_HOLD = 28,
-    FAMILY_FIRST_LEVEL = 29,
-    FAMILY_SECOND_HOLD = 30,
-    FAMILY_SECOND_LEVEL = 31,
-    FAMILY_LAST_TIME = 32,
-    FAMILY_STRETCH = 33,
-    FAMILY_FLATNESS = 34,
-    FAMILY_SIZE = 35
-};
-
-enum {
-    GENTLE_LEVELS = 0,
-    GENTLE_STEPS = 2,
-    GENTLE_ENDS = 4,
-    GENTLE_HOLDS = 7,
-    GENTLE_RAMPS = 10,
-    GENTLE_STRETCH = 13,
-    GENTLE_GAIN = 14,
-    GENTLE_EXCESS = 15,
-    GENTLE_GAIN_SLOPES = 16,
-    GENTLE_EXCESS_SLOPES = 18,
-    GENTLE_SIZE = 20
-};
-
-enum {
-    TOUCH_HOLDS = 0,
-    TOUCH_TOUCHES = 1,
-    TOUCH_BELOW = 2
-};
-
-enum {
-    NODE_STATE = 0,
-    NODE_KIND = 4,
-    NODE_SIGN = 5,
-    NODE_TIME = 6,
-    NODE_TOUCH = 7,
-    NODE_AIM = 8,
-    NODE_LEVEL = 9,
-    NODE_HOLD = 10,
-    NODE_RAMP = 11,
-    NODE_SIZE = 12
-};
-
-enum {
-    DIP_V = 0,
-    DIP_A = 1,
-    DIP_END = 2,
-    DIP_ABOVE = 3,
-    DIP_LEAST = 4,
-    DIP_DEEPEST = 5,
-    DIP_SIZE = 6
-};
-
-enum {
-    PASSING_COUNT = 0,
-    PASSING_ABOVE = 1,
-    PASSING_PACE = 2,
-    PASSING_TIME = 3,
-    PASSING_ACCELERATION = 4,
-    PASSING_TARGET = 5,
-    PASSING_FREE = 6,
-    PASSING_REVERSED = 7,
-    PASSING_MIRRORED = 8,
-    PASSING_START = 9,
-    PASSING_JERK = 10,
-    PASSING_SETTLED = 11,
-    PASSING_PLAIN = 12,
-    PASSING_QUICK = 13,
-    PASSING_INSTANTS = 14,
-    PASSING_INSTANT_ORDER = 15,
-    PASSING_INSTANT_SIGN = 18,
-    PASSING_INSTANT_FROM = 21,
-    PASSING_INSTANT_TO = 24,
-    PASSING_SIZE = 27
-};
-
-enum {
-    EXCESS_SHARE = 0,
-    EXCESS_NODE = 1,
-    EXCESS_HOLDING = 2,
-    EXCESS_SIGN = 3,
-    EXCESS_SIZE = 4
-};
-
-enum {
-    TIGHTEN_SHARE = 0,
-    TIGHTEN_STEPS = 4,
-    TIGHTEN_MOST = 5,
-    TIGHTEN_MOVING = 6,
-    TIGHTEN_SIZE = 7
-};
-
-enum {
-    EQUATIONS_VALUES = 0,
-    EQUATIONS_SIZE = 16
-};
-
-enum {
-    INTERVAL_SHORTEST = 0,
-    INTERVAL_DURATION = 1,
-    INTERVAL_WEIGHT = 2,
-    INTERVAL_BELOW_COUNT = 3,
-    INTERVAL_ABOVE_COUNT = 4,
-    INTERVAL_KEPT_COUNT = 5,
-    INTERVAL_PASSING = 6,
-    INTERVAL_SIZE = 7
-};
-
-enum {
-    PLACE_POSITION = 0,
-    PLACE_START = 1,
-    PLACE_DELAY = 2,
-    PLACE_LEAST = 3,
-    PLACE_PROLONGED = 4,
-    PLACE_SIZE = 5
-};
-
-enum {
     CELL_BELOW = 0,
     CELL_ABOVE = 33,
     CELL_PROBLEM = 66,
@@ -2158,15 +1366,6 @@ enum {
     CELL_PLACE = 68,
     CELL_SIZE = 69,
     CELL_COLUMNS = 7
-};
-
-enum {
-    NEAREST_BELOW_COUNT = 0,
-    NEAREST_BELOW_DISTANCE = 1,
-    NEAREST_ABOVE_COUNT = 2,
-    NEAREST_ABOVE_DISTANCE = 3,
-    NEAREST_KNOWN = 4,
-    NEAREST_SIZE = 5
 };
 
 enum {
@@ -2363,14 +1562,6 @@ enum {
 };
 
 enum {
-    ENERGY_MEMORY_KINETIC = 0,
-    ENERGY_MEMORY_POTENTIAL = 1,
-    ENERGY_MEMORY_INITIAL = 2,
-    ENERGY_MEMORY_PAYLOAD = 3,
-    ENERGY_MEMORY_SIZE = 4
-};
-
-enum {
     BALANCE_KINETIC = 0,
     BALANCE_POTENTIAL = 1,
     BALANCE_INITIAL = 2,
@@ -2379,12 +1570,6 @@ enum {
     BALANCE_PAYLOAD = 5,
     BALANCE_DISSIPATED = 6,
     BALANCE_SIZE = 7
-};
-
-enum {
-    SAMPLE_AVAILABLE = 0,
-    SAMPLE_VALUES = 1,
-    SAMPLE_SIZE = 6
 };
 
 enum {
@@ -2397,11 +1582,6 @@ enum {
 
 enum {
     RING_SAMPLES_A_ROW = 12
-};
-
-enum {
-    RING_ROW_SAMPLES = 0,
-    RING_ROW_SIZE = 72
 };
 
 enum {
@@ -2421,16 +1601,6 @@ enum {
 };
 
 enum {
-    SENT_COMMAND_START = 0,
-    SENT_COMMAND_AT_TICK = 1,
-    SENT_COMMAND_VALUE = 2,
-    SENT_COMMAND_LINEAR = 5,
-    SENT_COMMAND_SQUARE = 8,
-    SENT_COMMAND_CUBE = 11,
-    SENT_COMMAND_SIZE = 14
-};
-
-enum {
     COMMAND_QUEUE_OLDEST = 0,
     COMMAND_QUEUE_WAITING = 1,
     COMMAND_QUEUE_TICKS = 2,
@@ -2438,21 +1608,10 @@ enum {
 };
 
 enum {
-    COMMAND_ROW_COMMANDS = 0,
-    COMMAND_ROW_SIZE = 70
-};
-
-enum {
     DELAYED_QUEUE = 0,
     DELAYED_RING = 1,
     DELAYED_SIZE = 1,
     DELAYED_COLUMNS = 70
-};
-
-enum {
-    PLANNED_SETPOINT = 0,
-    PLANNED_ACCELERATION = 3,
-    PLANNED_SIZE = 6
 };
 
 enum {
@@ -2538,28 +1697,8 @@ enum {
 /* kernels/settling/records.py */
 
 enum {
-    CHAIN_DERIVATIVES = 0,
-    CHAIN_TIME = 8,
-    CHAIN_SIZE = 9
-};
-
-enum {
-    ENDS_VALUES = 0,
-    ENDS_SIZE = 8
-};
-
-enum {
     LEAD_STAGE_VELOCITY = 1,
     LEAD_STAGE_ACCELERATION = 2
-};
-
-enum {
-    LEAD_TIME = 0,
-    LEAD_COUNT = 1,
-    LEAD_LEVEL = 2,
-    LEAD_STEEP = 3,
-    LEAD_GAIN = 4,
-    LEAD_SIZE = 5
 };
 
 enum {
@@ -2585,17 +1724,6 @@ enum {
     LEAD_TASK_FAILED = 5,
     LEAD_TASK_OLDEST = 6,
     LEAD_TASK_SIZE = 7
-};
-
-enum {
-    KEPT_BRAKE_KIND = 0,
-    KEPT_BRAKE_STATE = 1,
-    KEPT_BRAKE_LIMITS = 8,
-    KEPT_BRAKE_LOWER = 15,
-    KEPT_BRAKE_STEEP = 17,
-    KEPT_BRAKE_LOOSE = 18,
-    KEPT_BRAKE_GENTLE = 19,
-    KEPT_BRAKE_SIZE = 26
 };
 
 enum {
@@ -2652,26 +1780,9 @@ enum {
 /* kernels/trajectory/records.py */
 
 enum {
-    ORDER_JERK = 3,
-    ORDER_SNAP = 4,
-    ORDER_CRACKLE = 5,
-    ORDER_POP = 6
-};
-
-enum {
     TIMING_START = 0,
     TIMING_LENGTH = 1,
     TIMING_SIZE = 2
-};
-
-enum {
-    PIECE_STATE_POSITION = 0,
-    PIECE_STATE_VELOCITY = 1,
-    PIECE_STATE_ACCELERATION = 2,
-    PIECE_STATE_JERK = 3,
-    PIECE_STATE_HIGHER = 4,
-    PIECE_STATE_TIME = 8,
-    PIECE_STATE_SIZE = 9
 };
 
 enum {
@@ -2682,15 +1793,6 @@ enum {
     PIECE_SNAP = 4,
     PIECE_HIGHER = 5,
     PIECE_SIZE = 12
-};
-
-enum {
-    EXPANSION_PSI = 0,
-    EXPANSION_STATE = 1,
-    EXPANSION_LENGTHS = 2,
-    EXPANSION_PEAKS = 3,
-    EXPANSION_SIZE = 4,
-    EXPANSION_COLUMNS = 12
 };
 
 enum {
@@ -2705,26 +1807,6 @@ enum {
     BRAKE_LOWEST = 11,
     BRAKE_HIGHEST = 19,
     BRAKE_SIZE = 27
-};
-
-enum {
-    HULL_COEFFICIENTS = 0,
-    HULL_DEPTH = 13,
-    HULL_SIZE = 14
-};
-
-enum {
-    CHECK_HULLS = 0,
-    CHECK_ENDS = 40,
-    CHECK_PEAKS = 41,
-    CHECK_JUMPS = 42,
-    CHECK_VALUES = 43,
-    CHECK_STARTS = 44,
-    CHECK_LOWEST = 45,
-    CHECK_HIGHEST = 46,
-    CHECK_BRAKE = 47,
-    CHECK_SIZE = 48,
-    CHECK_COLUMNS = 27
 };
 
 enum {
