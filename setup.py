@@ -26,8 +26,8 @@ class BuildKernels(build_ext):
                 "-fno-math-errno", "-fno-trapping-math", "-fno-tree-vectorize",
                 "-fvisibility=hidden",
             ]
-            # C has nothing to unwind
-            ext.extra_compile_args += ["-fno-asynchronous-unwind-tables"]
+            # C has nothing to unwind; some builds of Python ask for guards of the stack
+            ext.extra_compile_args += ["-fno-asynchronous-unwind-tables", "-fno-stack-protector"]
             # symbols for the static linker alone are of no use in a module
             ext.extra_link_args = ["-Wl,-x" if sys.platform == "darwin" else "-Wl,-s"]
         super().build_extension(ext)
