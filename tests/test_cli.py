@@ -67,7 +67,10 @@ MALFORMED = {
     "mass is tiny": (replaced("2.2", "1e-300"), "bridge_mass"),
     "mass is huge": (replaced("2.2", "1e300"), "bridge_mass"),
     "mass of 5000 digits": (replaced("2.2", "1" + "0" * 5000), "a number of 5001 digits"),
-    "crane is a list": ("crane = [1]\n" + LIMITS + POINTS, "crane: must be a table, got [1]"),
+    "crane is a list": (
+        "crane = [1]\n" + LIMITS + POINTS,
+        "crane: must be the name of a crane file, or a table, got [1]",
+    ),
     "crane file of no name": ('crane = "a\\u0000b"\n' + LIMITS + POINTS, "null"),
     "name of two lines": ('name = "a\\nb"\n' + GOOD, "name: must be one line"),
     "name is a book": (f'name = "{"x" * 1000}"\n' + GOOD, "name: "),

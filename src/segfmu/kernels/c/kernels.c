@@ -23394,8 +23394,8 @@ double scale, total, where;
 write_scales(path, track, time, link, square);
 count = (int64_t)(5 + *cspan_at(&path, 1));
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
-derivative = (int64_t)(*cspan_at(&grid, i, 78));
-*cspan_at(&grid, i, 79) = 0.0;
+derivative = (int64_t)(*cspan_at(&grid, i, 105));
+*cspan_at(&grid, i, 106) = 0.0;
 scale = *cspan_at(&square, 3, derivative);
 if (scale > 0.0) {
 total = 0.0;
@@ -23403,7 +23403,7 @@ for (j = 0; j < count; j += 1) {
 total = total + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
 }
 where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 8);
-*cspan_at(&grid, i, 79) = total * scale + where;
+*cspan_at(&grid, i, 106) = total * scale + where;
 }
 }
 }
@@ -23417,7 +23417,7 @@ axis = span_floor_mod(i, axes);
 time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
 write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-largest = span_max(largest, fabs(*cspan_at(&grid, row, 79)));
+largest = span_max(largest, fabs(*cspan_at(&grid, row, 106)));
 }
 }
 return largest;
@@ -23468,7 +23468,7 @@ time = (*cspan_at(&spans, span_floor_div(i, axes), 2));
 write_node_shares(path, span_row(&tracks, axis), time, span_matrix(&links, i), grid, square);
 room = 1.0;
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-room = room * room_of(*cspan_at(&grid, row, 79));
+room = room * room_of(*cspan_at(&grid, row, 106));
 }
 if (room <= 0.0) {
 return 1e+300;
@@ -23601,7 +23601,7 @@ add_link(i, i - span_floor_mod(i, axes) + other, axes, spots, links, spans, band
 static void write_components(int64_t count, array_double_2d link) {
 int64_t i, place;
 double step, change;
-for (i = 0; i < 12 - 5; i += 1) {
+for (i = 0; i < 14 - 5; i += 1) {
 step = 0.0;
 if (i < count) {
 step = -*cspan_at(&link, 13 + i, 5);
@@ -23609,7 +23609,7 @@ for (place = 0; place < 4; place += 1) {
 change = *cspan_at(&link, 4, 1 + place);
 step = step - *cspan_at(&link, 13 + i, place) * change;
 }
-step = step - *cspan_at(&link, 13 + i, 4) * *cspan_at(&link, 4, 12);
+step = step - *cspan_at(&link, 13 + i, 4) * *cspan_at(&link, 4, 14);
 }
 *cspan_at(&link, 4, 5 + i) = step;
 }
@@ -23645,9 +23645,9 @@ total = total + *cspan_at(&link, 8 + place, 4) * *cspan_at(&link, 4, end);
 promised = promised + theta * exp(*cspan_at(&spans, j, 2)) * *cspan_at(&spans, j, 1);
 }
 for (i = 0; i < links.shape[0]; i += 1) {
-*cspan_at(&links, i, 4, 12) = (*cspan_at(&spans, span_floor_div(i, axes), 1));
+*cspan_at(&links, i, 4, 14) = (*cspan_at(&spans, span_floor_div(i, axes), 1));
 write_components((int64_t)(*cspan_at(&path, 1)), span_matrix(&links, i));
-for (column = 1; column < 13; column += 1) {
+for (column = 1; column < 15; column += 1) {
 promised = promised + *cspan_at(&links, i, 6, column) * *cspan_at(&links, i, 4, column);
 }
 }
@@ -23959,7 +23959,7 @@ double count, begin;
 if (node <= cell) {
 return 0.0;
 }
-count = 10.0;
+count = 12.0;
 begin = power_over_factorial((node - cell) / count, order - derivative);
 return begin - power_over_factorial((node - cell - 1) / count, order - derivative);
 }
@@ -23981,14 +23981,14 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
 array_double_2d own, right;
 int64_t i, j, cell;
 double effect, total;
-own = span_rows(&square, 6, 13);
-right = span_rows(&square, 13, 20);
+own = span_rows(&square, 6, 15);
+right = span_rows(&square, 15, 24);
 for (i = 0; i < order; i += 1) {
 for (j = 0; j < order; j += 1) {
 *cspan_at(&own, i, j) = 0.0;
-for (cell = 0; cell < 10; cell += 1) {
-effect = control_effect(order, i, cell, 10);
-*cspan_at(&own, i, j) = *cspan_at(&own, i, j) + effect * control_effect(order, j, cell, 10);
+for (cell = 0; cell < 12; cell += 1) {
+effect = control_effect(order, i, cell, 12);
+*cspan_at(&own, i, j) = *cspan_at(&own, i, j) + effect * control_effect(order, j, cell, 12);
 }
 }
 for (j = 0; j < 5; j += 1) {
@@ -23999,11 +23999,11 @@ if (is_required(i, j)) {
 }
 }
 matrix_solve(order, 5, own, right);
-for (cell = 0; cell < 10; cell += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 for (j = 0; j < 5; j += 1) {
 total = 0.0;
 for (i = 0; i < order; i += 1) {
-total = total + control_effect(order, i, cell, 10) * *cspan_at(&right, i, j);
+total = total + control_effect(order, i, cell, 12) * *cspan_at(&right, i, j);
 }
 *cspan_at(&grid, first + cell, 0 + j) = total;
 }
@@ -24013,10 +24013,10 @@ static void project_out(int64_t unit, int64_t row, array_double_2d basis) {
 double total;
 int64_t cell;
 total = 0.0;
-for (cell = 0; cell < 10; cell += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 total = total + *cspan_at(&basis, unit, cell) * *cspan_at(&basis, row, cell);
 }
-for (cell = 0; cell < 10; cell += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 *cspan_at(&basis, row, cell) = *cspan_at(&basis, row, cell) - total * *cspan_at(&basis, unit, cell);
 }
 }
@@ -24024,9 +24024,9 @@ static void write_free_controls(int64_t order, int64_t first, array_double_2d gr
 array_double_2d basis;
 int64_t i, cell, k, sweep, other;
 double value, norm;
-basis = span_rows(&square, 20, 27);
-for (i = 0; i < 10 - order; i += 1) {
-for (cell = 0; cell < 10; cell += 1) {
+basis = span_rows(&square, 24, 33);
+for (i = 0; i < 12 - order; i += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 *cspan_at(&basis, i, cell) = 0.0;
 }
 value = 1.0;
@@ -24040,20 +24040,20 @@ project_out(other, i, basis);
 }
 }
 norm = 0.0;
-for (cell = 0; cell < 10; cell += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 norm = norm + *cspan_at(&basis, i, cell) * *cspan_at(&basis, i, cell);
 }
-for (cell = 0; cell < 10; cell += 1) {
+for (cell = 0; cell < 12; cell += 1) {
 *cspan_at(&basis, i, cell) = *cspan_at(&basis, i, cell) / sqrt(norm);
-value = *cspan_at(&basis, i, cell) * sqrt(10.0);
+value = *cspan_at(&basis, i, cell) * sqrt(12.0);
 *cspan_at(&grid, first + cell, 0 + 5 + i) = value;
 }
 }
 }
 static void write_products(array_double_1d row) {
 int64_t place, j, k;
-place = 12;
-for (j = 1; j < 12; j += 1) {
+place = 14;
+for (j = 1; j < 14; j += 1) {
 for (k = 1; k < j + 1; k += 1) {
 *cspan_at(&row, place) = *cspan_at(&row, 0 + j) * *cspan_at(&row, 0 + k);
 place = place + 1;
@@ -24063,20 +24063,20 @@ place = place + 1;
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square) {
 int64_t first, i, j, derivative, node, cell;
 double total, effect;
-first = order * 9;
-for (i = 0; i < first + 10; i += 1) {
-*cspan_at(&grid, i, 78) = span_min_int(span_floor_div(i, 9), order);
-for (j = 0; j < 12; j += 1) {
+first = order * 11;
+for (i = 0; i < first + 12; i += 1) {
+*cspan_at(&grid, i, 105) = span_min_int(span_floor_div(i, 11), order);
+for (j = 0; j < 14; j += 1) {
 *cspan_at(&grid, i, 0 + j) = 0.0;
 }
 }
 write_least_controls(order, first, grid, square);
 write_free_controls(order, first, grid, square);
 for (i = 0; i < first; i += 1) {
-derivative = span_floor_div(i, 9);
-node = span_floor_mod(i, 9) + 1;
-for (j = 0; j < 12; j += 1) {
-total = end_effect(derivative, j, node / 10.0);
+derivative = span_floor_div(i, 11);
+node = span_floor_mod(i, 11) + 1;
+for (j = 0; j < 14; j += 1) {
+total = end_effect(derivative, j, node / 12.0);
 for (cell = 0; cell < node; cell += 1) {
 effect = control_effect(order, derivative, cell, node);
 total = total + effect * *cspan_at(&grid, first + cell, 0 + j);
@@ -24084,14 +24084,14 @@ total = total + effect * *cspan_at(&grid, first + cell, 0 + j);
 *cspan_at(&grid, i, 0 + j) = total;
 }
 }
-for (i = 0; i < first + 10; i += 1) {
+for (i = 0; i < first + 12; i += 1) {
 write_products(span_row(&grid, i));
 }
 }
 static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square) {
 int64_t derivative, power, end, j, exponent;
 double slope, bend, part, scale;
-derivative = (int64_t)(*cspan_at(&grid, row, 78));
+derivative = (int64_t)(*cspan_at(&grid, row, 105));
 slope = 0.0;
 bend = 0.0;
 for (power = 0; power < 3; power += 1) {
@@ -24130,9 +24130,9 @@ return place + other - 1;
 static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
 int64_t derivative, j, place;
 double slope, bend, share, inner, first, second, scale, pull, crossed, curve, by, added;
-derivative = (int64_t)(*cspan_at(&grid, row, 78));
+derivative = (int64_t)(*cspan_at(&grid, row, 105));
 row_change(&slope, &bend, row, count, grid, square);
-share = *cspan_at(&grid, row, 79);
+share = *cspan_at(&grid, row, 106);
 inner = (1.0 - share) * (1.0 + share);
 first = 2.0 * share / inner;
 second = 2.0 * (1.0 + share * share) / (inner * inner);
@@ -24146,11 +24146,11 @@ by = *cspan_at(&grid, row, 0 + j);
 *cspan_at(&square, 5, j) = *cspan_at(&square, 5, j) + crossed * by;
 }
 for (place = 0; place < pair_place(count, 1); place += 1) {
-added = curve * *cspan_at(&grid, row, 12 + place);
+added = curve * *cspan_at(&grid, row, 14 + place);
 *cspan_at(&square, 4, place) = *cspan_at(&square, 4, place) + added;
 }
-*cspan_at(&link, 6, 12) = *cspan_at(&link, 6, 12) + first * slope;
-*cspan_at(&square, 5, 12) = *cspan_at(&square, 5, 12) + first * bend;
+*cspan_at(&link, 6, 14) = *cspan_at(&link, 6, 14) + first * slope;
+*cspan_at(&square, 5, 14) = *cspan_at(&square, 5, 14) + first * bend;
 return second * slope * slope;
 }
 static void give_units(int64_t count, array_double_2d link, array_double_2d square) {
@@ -24175,7 +24175,7 @@ int64_t first, second;
 double result;
 first = span_max_int(one, other);
 second = span_min_int(one, other);
-if (first == 12) {
+if (first == 14) {
 result = *cspan_at(&square, 5, second);
 return result;
 }
@@ -24184,7 +24184,7 @@ return result;
 }
 static int64_t outer_column(int64_t place) {
 if (place == 4) {
-return 12;
+return 14;
 }
 return (int64_t)(1 + place);
 }
@@ -24192,9 +24192,9 @@ static void eliminate(int64_t count, array_double_2d link, array_double_2d squar
 array_double_2d own, coupled, solved;
 int64_t i, j, column, k;
 double slope, value;
-own = span_rows(&square, 6, 13);
-coupled = span_rows(&square, 13, 20);
-solved = span_rows(&link, 13, 20);
+own = span_rows(&square, 6, 15);
+coupled = span_rows(&square, 15, 24);
+solved = span_rows(&link, 13, 22);
 for (i = 0; i < count; i += 1) {
 for (j = 0; j < count; j += 1) {
 *cspan_at(&own, i, j) = hessian_entry(5 + i, 5 + j, square);
@@ -24226,17 +24226,17 @@ static void write_model(double ridge, array_double_1d path, array_double_1d trac
 int64_t j, place, count, i;
 double curvature;
 write_node_shares(path, track, time, link, grid, square);
-for (j = 0; j < 13; j += 1) {
+for (j = 0; j < 15; j += 1) {
 *cspan_at(&link, 6, j) = 0.0;
 *cspan_at(&square, 5, j) = 0.0;
 }
-for (place = 0; place < 66; place += 1) {
+for (place = 0; place < 91; place += 1) {
 *cspan_at(&square, 4, place) = 0.0;
 }
 count = (int64_t)(5 + *cspan_at(&path, 1));
 curvature = 0.0;
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
-if ((*cspan_at(&link, 2, (int64_t)(*cspan_at(&grid, i, 78)))) > 0.0) {
+if ((*cspan_at(&link, 2, (int64_t)(*cspan_at(&grid, i, 105)))) > 0.0) {
 curvature = curvature + add_share(i, count, link, grid, square);
 }
 }
@@ -24246,7 +24246,7 @@ place = pair_place(j, j);
 *cspan_at(&square, 4, place) = (1.0 + ridge) * *cspan_at(&square, 4, place);
 }
 curvature = (1.0 + ridge) * curvature;
-*cspan_at(&square, 5, 12) = curvature + *cspan_at(&square, 5, 12);
+*cspan_at(&square, 5, 14) = curvature + *cspan_at(&square, 5, 14);
 eliminate((int64_t)(*cspan_at(&path, 1)), link, square);
 }
 static double gap_of(int64_t point) {
@@ -24265,7 +24265,7 @@ change = share * *cspan_at(&spots, i, 4, field);
 }
 }
 for (i = 0; i < links.shape[0]; i += 1) {
-for (j = 0; j < 13; j += 1) {
+for (j = 0; j < 15; j += 1) {
 change = 0.0;
 if (share > 0.0) {
 change = share * *cspan_at(&links, i, 4, j);
@@ -24291,7 +24291,7 @@ for (field = 0; field < 2; field += 1) {
 }
 }
 for (i = 0; i < links.shape[0]; i += 1) {
-for (j = 0; j < 13; j += 1) {
+for (j = 0; j < 15; j += 1) {
 *cspan_at(&links, i, 3, j) = *cspan_at(&links, i, 5, j);
 }
 }
@@ -24317,7 +24317,7 @@ result = write_steps(path, tracks, spots, links, spans, band, theta);
 return result;
 }
 }
-ridge = span_max(ridge / 0.1, 0.001);
+ridge = span_max(ridge / 0.1, 0.1);
 }
 return -1e+300;
 }
@@ -24379,8 +24379,8 @@ for (axis = 0; axis < axes; axis += 1) {
 link = span_matrix(&links, j * axes + axis);
 write_node_shares(path, span_row(&tracks, axis), first + growth * k, link, grid, square);
 for (row = 0; row < (int64_t)(*cspan_at(&path, 2)); row += 1) {
-if (*cspan_at(&grid, row, 78) != 0.0) {
-used = span_max(used, fabs(*cspan_at(&grid, row, 79)));
+if (*cspan_at(&grid, row, 105) != 0.0) {
+used = span_max(used, fabs(*cspan_at(&grid, row, 106)));
 }
 }
 }
@@ -24452,7 +24452,7 @@ for (field = 0; field < 2; field += 1) {
 }
 power = pow(1.02, (double)((int64_t)(*cspan_at(&path, 0))));
 for (i = 0; i < links.shape[0]; i += 1) {
-for (j = 5; j < 12; j += 1) {
+for (j = 5; j < 14; j += 1) {
 *cspan_at(&links, i, 3, j) = *cspan_at(&links, i, 3, j) / power;
 }
 }
@@ -24518,8 +24518,8 @@ snap = span_min(snap, 10.0 * jerk * jerk / acceleration);
 *cspan_at(&tracks, axis, 52) = jerk;
 *cspan_at(&tracks, axis, 53) = snap;
 }
-*cspan_at(&path, 1) = 10 - *cspan_at(&path, 0);
-*cspan_at(&path, 2) = *cspan_at(&path, 0) * 9 + 10;
+*cspan_at(&path, 1) = 12 - *cspan_at(&path, 0);
+*cspan_at(&path, 2) = *cspan_at(&path, 0) * 11 + 12;
 }
 static double limit_share(int64_t order, double degree, bool smoothstep) {
 double share;
@@ -24568,7 +24568,7 @@ if (*cspan_at(&spots, i, 2, field) != 0.0) {
 for (i = 0; i < links.shape[0]; i += 1) {
 axis = span_floor_mod(i, count);
 first = (*cspan_at(&given, span_floor_div(i, count), axis, 0));
-for (j = 0; j < 13; j += 1) {
+for (j = 0; j < 15; j += 1) {
 *cspan_at(&links, i, 5, j) = 0.0;
 }
 last = (*cspan_at(&given, span_floor_div(i, count) + 1, axis, 0));
@@ -24638,8 +24638,8 @@ array_double_3d given, tried, best;
 bool smoothstep, hopeful, last, result;
 double theta;
 path = span_row(&tools, 0);
-grid = span_rows(&tools, 1, 47);
-square = span_rows(&tools, 47, 74);
+grid = span_rows(&tools, 1, 57);
+square = span_rows(&tools, 57, 90);
 block_rows(&begin, &end, 0, path, choice);
 given = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 3, path, choice);
@@ -24766,12 +24766,12 @@ int64_t place, i;
 for (place = point - 1; place < point + 1; place += 1) {
 i = place * axes.shape[0] + axis;
 if (back) {
-*cspan_at(&cells, i, 67, 0) = *cspan_at(&links, i, 20, 0);
-*cspan_at(&cells, i, 67, 6) = *cspan_at(&links, i, 20, 1);
+*cspan_at(&cells, i, 67, 0) = *cspan_at(&links, i, 22, 0);
+*cspan_at(&cells, i, 67, 6) = *cspan_at(&links, i, 22, 1);
 }
 else {
-*cspan_at(&links, i, 20, 0) = *cspan_at(&cells, i, 67, 0);
-*cspan_at(&links, i, 20, 1) = *cspan_at(&cells, i, 67, 6);
+*cspan_at(&links, i, 22, 0) = *cspan_at(&cells, i, 67, 0);
+*cspan_at(&links, i, 22, 1) = *cspan_at(&cells, i, 67, 6);
 }
 }
 }
@@ -25220,8 +25220,8 @@ bring_down(span_layers(&choice, 0, places), limits, lower, axes);
 *cspan_at(&path, 4) = places;
 *cspan_at(&path, 6) = 0.0;
 write_tracks(limits, lower, path, axes);
-square = span_rows(&tools, 47, 74);
-write_grid((int64_t)(*cspan_at(&path, 0)), span_rows(&tools, 1, 47), square);
+square = span_rows(&tools, 57, 90);
+write_grid((int64_t)(*cspan_at(&path, 0)), span_rows(&tools, 1, 57), square);
 result = set_axes(limits, lower, axes, work);
 return result;
 }

@@ -1205,9 +1205,9 @@ enum {
     LINK_SLOPE = 7,
     LINK_CURVE = 8,
     LINK_SOLVED = 13,
-    LINK_KEPT = 20,
-    LINK_SIZE = 21,
-    LINK_COLUMNS = 13
+    LINK_KEPT = 22,
+    LINK_SIZE = 23,
+    LINK_COLUMNS = 15
 };
 
 enum {
@@ -1229,9 +1229,9 @@ enum {
 enum {
     TOOLS_PATH = 0,
     TOOLS_GRID = 1,
-    TOOLS_SQUARE = 47,
-    TOOLS_SIZE = 74,
-    TOOLS_COLUMNS = 80
+    TOOLS_SQUARE = 57,
+    TOOLS_SIZE = 90,
+    TOOLS_COLUMNS = 107
 };
 
 /* kernels/planner/records.py */

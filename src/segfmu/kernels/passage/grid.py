@@ -2,7 +2,7 @@
 
 The control is the derivative of the order r. What the ends require of it, and what changes nothing
 there, are separated, so all conditions at the ends hold by construction. Time runs from 0 to 1.
-grid (9 r + 10 or more, GridRow); square (Square rows, Square columns).
+grid (12 r + 12 - r or more, GridRow); square (Square rows, Square columns).
 """
 
 from math import sqrt

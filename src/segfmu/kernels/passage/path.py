@@ -99,8 +99,7 @@ def write_step_of(
 ) -> float:
     """Write Newton's step at the tried point; the decrease it promises, -NEVER: none.
 
-    Where the barrier is not convex, a share is added to the diagonal: a small one at first, as a
-    large one leaves next to no step.
+    Where the barrier is not convex, a small part of the diagonal is added to it, then more.
     """
     axes = int(path[Path.AXES])
     ridge = 0.0
@@ -113,7 +112,7 @@ def write_step_of(
             write_band(path, tracks, spots, links, spans, band)
             if band_solve(band):
                 return write_steps(path, tracks, spots, links, spans, band, theta)
-        ridge = max(ridge / SMALL, FINE)
+        ridge = max(ridge / SMALL, SMALL)
     return -NEVER
 
 

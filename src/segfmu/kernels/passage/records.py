@@ -7,9 +7,9 @@ from segfmu.kernels.records import Codes, Record, field
 class Cells(Codes):
     """Between two waypoints: cells of constant control, nodes within, and rows of a grid."""
 
-    COUNT = 10
-    INNER = 9
-    ROWS = 46
+    COUNT = 12
+    INNER = 11
+    ROWS = 56
 
 
 class Path(Record):
@@ -97,14 +97,14 @@ class GridColumn(Record):
 
     DISTANCE = field("distance between the waypoints", "m")
     ENDS = field("velocity and acceleration at both ends, over their limits", size=4)
-    COMPONENTS = field("of the control, over its limit", size=7)
+    COMPONENTS = field("of the control, over its limit", size=9)
     TIME = field("logarithm of the duration, in the barrier's model")
 
 
 class Pair(Record):
     """Two columns of a grid, from the ends on."""
 
-    ENTRY = field("of the lower half of a symmetric matrix, row by row", size=66)
+    ENTRY = field("of the lower half of a symmetric matrix, row by row", size=91)
 
 
 class GridRow(Record):
@@ -128,7 +128,7 @@ class Link(Record):
     GRADIENT = field("of the barrier", of=GridColumn)
     SLOPE = field("of the barrier without the components", of=GridColumn)
     CURVE = field("its curvature", size=5, of=GridColumn)
-    SOLVED = field("components by what is around them, see Solved", size=7, of=GridColumn)
+    SOLVED = field("components by what is around them, see Solved", size=9, of=GridColumn)
     KEPT = field("shortest duration and its kind (Interval), before a state is moved")
 
 
@@ -158,9 +158,9 @@ class Square(Record):
     SCALE = field("of a derivative, by its order: what makes it a share")
     HESSIAN = field("of the barrier", of=Pair)
     CROSS = field("its entries by a variable and the duration", of=GridColumn)
-    OWN = field("its part of the components", size=7, of=GridColumn)
-    RIGHT = field("right-hand sides", size=7, of=GridColumn)
-    BASIS = field("orthogonal controls that change nothing at the ends", size=7, of=GridColumn)
+    OWN = field("its part of the components", size=9, of=GridColumn)
+    RIGHT = field("right-hand sides", size=9, of=GridColumn)
+    BASIS = field("orthogonal controls that change nothing at the ends", size=9, of=GridColumn)
 
 
 class Tools(Record):
