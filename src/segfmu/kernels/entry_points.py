@@ -145,9 +145,8 @@ MAY_LACK_PIECES = ("lead_offsets", "plan_offsets")
 UNKNOWNS = f"search[{Search.STATE}, {SearchState.UNKNOWNS}]"
 STATES_TOO = f"{Vector.SIZE * LimitRow.SIZE} + {2 * Vector.SIZE} * (points - 2)"
 STATES_OF = f"{Vector.SIZE * LimitRow.SIZE} + {2 * Vector.SIZE} * (place[points - 1] - 1)"
-# what an axis of the smoothness in `axis`, `axes` or `options` has
+# what an axis of the smoothness in `axis` or `options` has
 AXIS_WIDTH = f"2 * axis[{Axis.SMOOTHNESS}]"
-PLAN_WIDTH = f"2 * axes[0, {Axis.SMOOTHNESS}]"
 PLAN_LIMITS = f"options[{PlanOptions.SMOOTHNESS}] + 1"
 MOTION_SMOOTHNESS = f"work[{MotionWork.OPTIONS}, {PlanOptions.SMOOTHNESS}]"
 RIG_ROWS = "rig_rows(settings)"

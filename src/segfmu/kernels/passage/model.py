@@ -70,7 +70,7 @@ def add_share(
         by = grid[row, GridRow.BY + j]
         link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + pull * by
         square[Square.CROSS, j] = square[Square.CROSS, j] + crossed * by
-    # all at once, and not row by row of the Hessian: half of a choice was spent there
+    # in one pass: loops over the short rows of the Hessian take several times as long
     for place in range(pair_place(count, GridColumn.ENDS)):
         added = curve * grid[row, GridRow.PRODUCT + place]
         square[Square.HESSIAN, place] = square[Square.HESSIAN, place] + added
