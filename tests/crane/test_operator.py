@@ -31,6 +31,7 @@ from tests.campaign import campaign, soaked
 
 MODELS = Path(__file__).parents[2] / "models"
 FREE = Limits(velocity=[0.4, 0.4, 0.3], acceleration=0.5, jerk=1.5, snap=10.0)
+BEYOND = r": a place 1e\+09 m from the origin is beyond 1e\+06 m"
 LEVEL = Limits(velocity=0.4, acceleration=0.5, jerk=1.5, snap=10.0)
 
 
@@ -436,8 +437,8 @@ def test_a_push_does_not_lead_beyond_the_workspace() -> None:
     assert operator.load[0, 1] == pytest.approx(-1.0, abs=1e-8)
 
 
-def mission() -> Trajectory:
-    return plan([Waypoint([0.0, 0.0, -0.5]), Waypoint([0.8, 0.3, -0.4])], FREE)
+def mission(x: float = 0.0) -> Trajectory:
+    return plan([Waypoint([x, 0.0, -0.5]), Waypoint([x + 0.8, 0.3, -0.4])], FREE)
 
 
 def test_a_plan_is_followed_until_a_command_takes_over() -> None:
@@ -581,6 +582,10 @@ def test_numbers_that_are_none_stop_the_load() -> None:
     (lambda o: free(smoothness=3), "smooth"),
     (lambda o: Operator(LAB.crane, 3, [0.0, 0.0, -0.5]), "limits must be a segfmu.Limits"),
     (lambda o: Operator(LAB.crane, FREE, [0.0, -0.5]), "start must have 3 values"),
+    (lambda o: Operator(LAB.crane, FREE, [1e9, 0.0, -0.5]), "start" + BEYOND),
+    (lambda o: Operator(LAB.crane, FREE, [0.0, -1e9, 0.5] + 7 * [0.0]), "start" + BEYOND),
+    (lambda o: Operator(LAB.crane, FREE, mission(1e9)), "start" + BEYOND),
+    (lambda o: o.take_over([1e9, 0.0, 0.5] + 7 * [0.0]), "state" + BEYOND),
     (lambda o: free(clearance=Clearance(
         [Obstacle(str(i), [5.0, 5.0, -1.0], [6.0, 6.0, -0.5]) for i in range(17)])),
      "17 obstacles, at most 16"),

@@ -150,9 +150,9 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real command_distance_y(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
   parameter Boolean command_take_over = false "begin in the measured state and bring the load to rest, or to the target; each time that it becomes true, and at the start" annotation(Dialog(tab = "command"));
-  parameter Real measured_bridge_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_trolley_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_rope_length(unit = "m", min = -1e+20, max = 1e+20) = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_bridge_position(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_position(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_length(unit = "m", min = -1000000.0, max = 1000000.0) = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_sway_x_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.x.angle, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_sway_y_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.y.angle, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_bridge_velocity(unit = "m/s", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
@@ -174,7 +174,7 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real friction_hoist_drag(unit = "N", min = 0.0) = 0.0 "friction of the hoist is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "velocity over which static friction falls to Coulomb friction" annotation(Dialog(tab = "friction"));
   parameter Real friction_presliding(unit = "m", min = 1e-09) = 1e-05 "displacement at which a contact begins to slide" annotation(Dialog(tab = "friction"));
-  parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
+  parameter Real waypoint_position[:, 3](each unit = "m", each min = -1000000.0, each max = 1000000.0) = [0.0, 0.0, -0.5;
       0.07, 0.055, -0.5;
       1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Integer waypoint_count = size(waypoint_position, 1) "number of waypoints in use";
@@ -425,7 +425,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{f7286628-f4db-183d-6263-5c349d83f656}", 0);
+      "{216ff696-4caf-858b-bbde-04e12708b110}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

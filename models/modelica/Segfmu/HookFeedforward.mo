@@ -143,7 +143,7 @@ model HookFeedforward "Plans the motion of a load that hangs by a sling on the h
   parameter Real friction_hoist_drag(unit = "N", min = 0.0) = 0.0 "friction of the hoist is drag * v |v|, v in m/s" annotation(Dialog(tab = "friction"));
   parameter Real friction_width(unit = "m/s", min = 1e-09) = 0.001 "velocity over which static friction falls to Coulomb friction" annotation(Dialog(tab = "friction"));
   parameter Real friction_presliding(unit = "m", min = 1e-09) = 1e-05 "displacement at which a contact begins to slide" annotation(Dialog(tab = "friction"));
-  parameter Real waypoint_position[:, 3](each unit = "m") = [0.0, 0.0, -0.5;
+  parameter Real waypoint_position[:, 3](each unit = "m", each min = -1000000.0, each max = 1000000.0) = [0.0, 0.0, -0.5;
       0.07, 0.055, -0.5;
       1.0, 0.8, -0.5] "position of the load at the waypoints" annotation(Dialog(tab = "waypoint"));
   final parameter Integer waypoint_count = size(waypoint_position, 1) "number of waypoints in use";
@@ -383,7 +383,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "HookFeedforward", getInstanceName(),
-      "{6b9f3ce5-a325-5b0c-874f-50222dfc889f}", 0);
+      "{0a973e53-6101-2ad8-d999-053d8de8fcf4}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

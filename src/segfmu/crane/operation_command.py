@@ -12,7 +12,7 @@ from segfmu.kernels.operation.records import Command, OperationMode, Tries
 MODES = tuple(name.lower() for name in OperationMode.items())
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
-# of a target and a push [m], as of waypoints in files
+# of a start, a target and a push [m], as of waypoints in files
 FARTHEST = 1e6
 # what a mode does not do without
 NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}

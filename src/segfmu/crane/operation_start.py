@@ -14,6 +14,7 @@ from segfmu.crane.contacts import resistance
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import Friction
 from segfmu.crane.limit_search import KEPT
+from segfmu.crane.operation_command import FARTHEST
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import filled
@@ -32,6 +33,16 @@ from segfmu.planning.trajectory import Trajectory
 FAR = 1e9
 
 
+def require_near(name: str, places: ArrayLike) -> None:
+    """Refuse places from which no target can be given."""
+    farthest = float(np.abs(places).max())
+    if farthest > FARTHEST:
+        raise InputError(
+            f"{name}: a place {farthest:.6g} m from the origin is beyond {FARTHEST:g} m, where "
+            "targets end; move the origin"
+        )
+
+
 def require_hanging(name: str, value: ArrayLike) -> FloatArray:
     """The state (10,) of a load below its crane."""
     state = sized(name, value, State.SIZE)
@@ -42,6 +53,7 @@ def require_hanging(name: str, value: ArrayLike) -> FloatArray:
             "state of a load below its crane; give positions, rope, angles and their rates, shape "
             "(10,)"
         )
+    require_near(name, state[: State.ANGLE])
     return state
 
 
@@ -49,6 +61,7 @@ def resting(start: ArrayLike, smoothness: int) -> tuple[FloatArray, FloatArray, 
     """A plan that rests in a place."""
     coefficients = np.zeros((3, 2 * smoothness))
     coefficients[:, 0] = sized("start", start, 3)
+    require_near("start", coefficients[:, 0])
     return np.zeros((3, Timing.SIZE)), coefficients, np.arange(4, dtype=np.int64)
 
 
@@ -80,6 +93,7 @@ def require_plan(
     friction: Friction,
 ) -> None:
     """Refuse a plan that does not keep what plans for commands keep."""
+    require_near("start", [waypoint.position for waypoint in plan.waypoints])
     require_rope(crane, plan)
     clearance.require(plan, crane.gravity)
     for use in bound_uses(bounds, *peaks(crane, plan, friction, bounds.lag)):

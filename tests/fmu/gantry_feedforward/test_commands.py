@@ -167,6 +167,8 @@ def test_a_mission_is_left_for_a_stop(archive) -> None:
     ({"drive.hoist.dead_time": 0.1}, "drive.hoist.dead_time is 0.1 s: no command can be followed"),
     ({"friction.trolley.coulomb": 1.0}, "friction.trolley: no command can be followed"),
     ({"command.target.x": 1e300}, "command.target.x must be at least -1e+06 and at most 1e+06"),
+    ({"waypoint[2].position.y": 1.1e6}, "must be at least -1e+06 and at most 1e+06, got 1100000"),
+    ({"measured.trolley.position": -1.1e6}, "measured.trolley.position must be at least -1e+06"),
     ({"command.distance.z": 1.1e6}, "command.distance.z must be at least 0 and at most 1e+06"),
 ])
 def test_what_is_in_the_way_of_commands_is_told(archive, values, words: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from segfmu.crane.operation_command import FARTHEST
 from segfmu.fmu.gantry import SETPOINTS
 from segfmu.fmu.standard.spec import (
     Array,
@@ -44,6 +45,8 @@ LIMITS = {
     "y": (0.4, 0.5, 0.5, 5.0),
     "z": (0.3, 0.5, 0.5, 5.0),
 }
+# of the load at a waypoint; positions are as near as targets of commands
+STATES = (("position", "m", FARTHEST), ("velocity", "m/s", None), ("acceleration", "m/s2", None))
 # an end of the workspace, or an end stop [m], that is none
 FAR = 1e9
 # what of the load has limits
@@ -121,24 +124,23 @@ def limits() -> list[Variable]:
     return rows
 
 
-def waypoints(most: int) -> list[Variable]:
+def waypoints(count: int) -> list[Variable]:
     """Waypoints, with room for so many."""
     rows = [
         parameter(
             "waypoint.count", len(POINTS), None, "number of waypoints in use", kind="Integer",
-            minimum=2, maximum=most,
+            minimum=2, maximum=count,
         )
     ]
-    for i in range(1, most + 1):
+    for i in range(1, count + 1):
         point = POINTS[min(i, len(POINTS)) - 1]
-        for name, unit, values in zip(
-            ("position", "velocity", "acceleration"), ("m", "m/s", "m/s2"), point, strict=True
-        ):
+        for (name, unit, most), values in zip(STATES, point, strict=True):
             for axis, value in zip("xyz", values, strict=True):
                 rows.append(
                     parameter(
                         f"waypoint[{i}].{name}.{axis}", value, unit,
                         f"{name} of the load at waypoint {i} in {axis}",
+                        minimum=None if most is None else -most, maximum=most,
                     )
                 )
         for name in ("velocity", "acceleration"):
