@@ -7,6 +7,7 @@ import pytest
 
 from segfmu import InputError
 from segfmu.crane import Gust, PayloadChange, Wind
+from segfmu.crane.disturbance import Turbulence
 from segfmu.kernels.numerics.records import Sinusoid
 
 
@@ -31,6 +32,8 @@ def test_noise_may_blow_along_one_axis_alone(axis: int) -> None:
         (lambda: Wind(constant=(1.0, 2.0)), "wind constant must have 3 values, got 2"),
         (lambda: Wind(deviation=(1.0, -2.0, 0.0)), "wind deviation along y"),
         (lambda: Wind(bandwidth=0.0), "wind bandwidth must be a finite number > 0"),
+        (lambda: Wind(bandwidth=1e9), r"wind bandwidth must be at most 1e\+06 Hz, got 1000"),
+        (lambda: Turbulence((1.0, 0.0, 0.0), bandwidth=2e6), "turbulence bandwidth must be"),
         (lambda: Wind(seed=-3), "wind seed must be an integer"),
         (lambda: Gust(float("nan"), 1.0, (1.0, 0.0, 0.0)), "gust start must be a finite number"),
         (lambda: Gust(0.0, 0.0, (1.0, 0.0, 0.0)), "gust duration must be a finite number > 0"),

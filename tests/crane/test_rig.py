@@ -234,6 +234,18 @@ def test_payload_changes_at_its_time(step: float) -> None:
     assert abs(changed.balance.imbalance) < 1e-9
 
 
+@pytest.mark.parametrize("period", [1e8, 1e300])
+def test_a_controller_that_hardly_ever_acts_leaves_the_time_of_changes_and_samples(period) -> None:
+    rig = Rig(payload=(PayloadChange(0.1, 1.5),), sensors=Sensors(sample_time=0.01))
+    slow = replace(feedback(False), sample_time=period)
+    late = Plant(LAB, moving(0, 0.2), hold(LAB), slow, enabled=False, rig=rig)
+    late.step(0.055, hold(LAB))
+    assert late.payload_mass == 1.0
+    assert late.measured[0] == pytest.approx(0.05 * 0.2, rel=1e-9)
+    late.step(0.05, hold(LAB))
+    assert late.payload_mass == 1.5
+
+
 def test_payload_of_the_start_is_no_change() -> None:
     changed = plant(rig=Rig(payload=(PayloadChange(2.0, 3.0),)), start_time=2.0)
     assert changed.payload_mass == 3.0

@@ -232,7 +232,7 @@ model HookCrane "Dynamics of a gantry crane whose load hangs by a sling on a hoo
   parameter Real wind_noise_deviation_x(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, x" annotation(Dialog(tab = "wind"));
   parameter Real wind_noise_deviation_y(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, y" annotation(Dialog(tab = "wind"));
   parameter Real wind_noise_deviation_z(unit = "N", min = 0.0) = 0.0 "standard deviation of the wind's noise, z" annotation(Dialog(tab = "wind"));
-  parameter Real wind_noise_bandwidth(unit = "Hz", min = 1e-09) = 1.0 "largest frequency in it" annotation(Dialog(tab = "wind"));
+  parameter Real wind_noise_bandwidth(unit = "Hz", min = 1e-09, max = 1000000.0) = 1.0 "largest frequency in it" annotation(Dialog(tab = "wind"));
   parameter Integer wind_noise_seed(min = 0, max = 2147483647) = 0 "seed of the wind's noise" annotation(Dialog(tab = "wind"));
   parameter Real wind_speed_x(unit = "m/s") = 0.0 "mean speed of the air, x" annotation(Dialog(tab = "wind"));
   parameter Real wind_speed_y(unit = "m/s") = 0.0 "mean speed of the air, y" annotation(Dialog(tab = "wind"));
@@ -244,7 +244,7 @@ model HookCrane "Dynamics of a gantry crane whose load hangs by a sling on a hoo
   parameter Real wind_turbulence_deviation_y(unit = "m/s", min = 0.0) = 0.0 "standard deviation of the air's turbulence; needs wind.speed, y" annotation(Dialog(tab = "wind"));
   parameter Real wind_turbulence_deviation_z(unit = "m/s", min = 0.0) = 0.0 "standard deviation of the air's turbulence; needs wind.speed, z" annotation(Dialog(tab = "wind"));
   parameter Real wind_turbulence_length(unit = "m", min = 0.001) = 1200.0 "length scale of Davenport's spectrum" annotation(Dialog(tab = "wind"));
-  parameter Real wind_turbulence_bandwidth(unit = "Hz", min = 1e-09) = 1.0 "largest frequency of the turbulence" annotation(Dialog(tab = "wind"));
+  parameter Real wind_turbulence_bandwidth(unit = "Hz", min = 1e-09, max = 1000000.0) = 1.0 "largest frequency of the turbulence" annotation(Dialog(tab = "wind"));
   parameter Integer wind_turbulence_seed(min = 0, max = 2147483647) = 0 "seed of the turbulence" annotation(Dialog(tab = "wind"));
   parameter Real wind_air_density(unit = "kg/m3", min = 0.0) = 1.225 "density of the air" annotation(Dialog(tab = "wind"));
   parameter Real load_drag_area(unit = "m2", min = 0.0) = 0.0 "drag coefficient of the load times its area; 0: the air's speed does not act" annotation(Dialog(tab = "load"));
@@ -524,7 +524,7 @@ protected
       reference_sling_x_angle_used, reference_sling_y_angle_used, reference_sling_x_rate_used,
       reference_sling_y_rate_used};
   FMI.Instance fmu = FMI.Instance(folder, "HookCrane", getInstanceName(),
-      "{2e62656d-2ec0-934a-3df8-5f8bba81f7c9}", 20);
+      "{8069133e-6e5b-708f-92fa-6bc651361b5e}", 20);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[20](each stateSelect = StateSelect.always, each nominal = 0.1) "states of the FMU";

@@ -14,6 +14,8 @@ from segfmu.errors import InputError
 from segfmu.kernels.crane.records import Axes
 
 LARGEST_SEED = 2**31 - 1
+# of noise [Hz]; as with the shortest sample time, each period takes steps of the integration
+HIGHEST_FREQUENCY = 1e6
 
 
 def require_kind(name: str, value: object, kind: type) -> None:
@@ -52,6 +54,13 @@ def require_quantity(name: str, value: object) -> None:
     # as a float: the bounds can be beyond a shorter type of NumPy
     if not 1e-9 <= float(value) <= 1e9:  # type: ignore[arg-type]
         raise InputError(f"{name} must be from 1e-9 to 1e9, got {shown(value)}")
+
+
+def require_frequency(name: str, value: object) -> None:
+    """Raise InputError unless `value` is a frequency [Hz] that can be integrated."""
+    require_positive(name, value)
+    if float(value) > HIGHEST_FREQUENCY:  # type: ignore[arg-type]
+        raise InputError(f"{name} must be at most {HIGHEST_FREQUENCY:g} Hz, got {shown(value)}")
 
 
 def require_not_negative(name: str, value: object) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 from segfmu.arrays import FloatArray, shown, sized
 from segfmu.crane.checks import (
     require_finite,
+    require_frequency,
     require_kind,
     require_not_negative,
     require_positive,
@@ -88,7 +89,7 @@ class Turbulence:
         for axis, value in zip("xyz", deviation, strict=True):
             require_not_negative(f"turbulence deviation along {axis}", value)
         require_positive("turbulence length", self.length)
-        require_positive("turbulence bandwidth", self.bandwidth)
+        require_frequency("turbulence bandwidth", self.bandwidth)
         require_seed("turbulence seed", self.seed)
 
 
@@ -143,7 +144,7 @@ class Wind:
         deviation = sized("wind deviation", self.deviation, 3)
         for axis, value in zip("xyz", deviation, strict=True):
             require_not_negative(f"wind deviation along {axis}", value)
-        require_positive("wind bandwidth", self.bandwidth)
+        require_frequency("wind bandwidth", self.bandwidth)
         require_seed("wind seed", self.seed)
         components = np.zeros((Disturbance.COMPONENTS if deviation.any() else 0, Sinusoid.SIZE))
         numbers = np.zeros(RandomState.SIZE)

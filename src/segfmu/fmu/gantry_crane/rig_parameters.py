@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from segfmu.crane.checks import LARGEST_SEED
+from segfmu.crane.checks import HIGHEST_FREQUENCY, LARGEST_SEED
 from segfmu.crane.disturbance import SHAPES
 from segfmu.crane.equipment import SLACK
 from segfmu.fmu.gantry import friction_parameters
@@ -136,7 +136,8 @@ def _wind() -> list[Variable]:
         choice("wind.gust.shape", GUST_SHAPES, "cosine", "1 - cosine, or half a sine"),
         *_vector("wind.gust.force", "peak of the gust"),
         *_vector("wind.noise.deviation", "standard deviation of the wind's noise", minimum=0.0),
-        parameter("wind.noise.bandwidth", 1.0, "Hz", "largest frequency in it", minimum=1e-9),
+        parameter("wind.noise.bandwidth", 1.0, "Hz", "largest frequency in it", minimum=1e-9,
+                  maximum=HIGHEST_FREQUENCY),
         _seed("wind.noise.seed", "seed of the wind's noise"),
         *_vector("wind.speed", "mean speed of the air", unit="m/s"),
         *_vector("wind.gust.speed", "peak of the gust's speed", unit="m/s"),
@@ -145,7 +146,7 @@ def _wind() -> list[Variable]:
         parameter("wind.turbulence.length", 1200.0, "m", "length scale of Davenport's spectrum",
                   minimum=1e-3),
         parameter("wind.turbulence.bandwidth", 1.0, "Hz", "largest frequency of the turbulence",
-                  minimum=1e-9),
+                  minimum=1e-9, maximum=HIGHEST_FREQUENCY),
         _seed("wind.turbulence.seed", "seed of the turbulence"),
         parameter("wind.air_density", 1.225, "kg/m3", "density of the air", minimum=0.0),
         parameter("load.drag_area", 0.0, "m2", "drag coefficient of the load times its area; 0: "

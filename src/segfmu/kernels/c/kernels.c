@@ -25490,7 +25490,7 @@ for (i = 0; i < 5; i += 1) {
 }
 static double time_tolerance(array_double_2d settings) {
 double result;
-result = 1e-09 * *cspan_at(&settings, 0, 1);
+result = 1e-09 * span_min(*cspan_at(&settings, 0, 1), 1.0);
 return result;
 }
 static double present_time(array_double_2d memory) {

@@ -24,8 +24,11 @@ from segfmu.kernels.rig.sensing import (
 
 
 def time_tolerance(settings: 'float[:,:]') -> float:
-    """Times [s] that differ by less are equal, because sums of steps are rounded."""
-    return 1e-9 * settings[Settings.LOOP, Loop.PERIOD]
+    """Times [s] that differ by less are equal, because sums of steps are rounded.
+
+    A controller that is slow or never acts makes samples and changes no less exact.
+    """
+    return 1e-9 * min(settings[Settings.LOOP, Loop.PERIOD], 1.0)
 
 
 def present_time(memory: 'float[:,:]') -> float:

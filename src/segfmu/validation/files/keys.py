@@ -15,7 +15,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetJsonSchem
 from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema
 
-from segfmu.crane.checks import LARGEST_SEED
+from segfmu.crane.checks import HIGHEST_FREQUENCY, LARGEST_SEED
 from segfmu.errors import InputError
 
 
@@ -149,6 +149,7 @@ Time = Annotated[float, Field(ge=0.0, le=1e6), NUMBER]
 Place = Annotated[list[Length], Field(min_length=3, max_length=3)]
 # the least is that of the FMUs; the greatest avoids overflow in the design of gains
 Quantity = Annotated[float, Field(ge=1e-9, le=1e9), NUMBER]
+Frequency = Annotated[float, Field(ge=1e-9, le=HIGHEST_FREQUENCY), NUMBER]
 # deg
 SwayPair = Annotated[
     list[Annotated[float, Field(ge=1e-3, le=89.0), NUMBER]], Field(min_length=2, max_length=2)

@@ -8,12 +8,12 @@ from pydantic import Field
 
 from segfmu.validation.files.keys import (
     AXES,
+    Frequency,
     Key,
     NotNegative,
     NotNegativeTriple,
     Number,
     Positive,
-    Quantity,
     Seed,
     Table,
     Triple,
@@ -50,7 +50,7 @@ class WindNoiseTable(Table):
             tuple(f"wind.noise.deviation.{a}" for a in AXES), parts=AXES),
     ]
     bandwidth: Annotated[
-        Quantity, Key("greatest frequency", "Hz", ("wind.noise.bandwidth",))
+        Frequency, Key("greatest frequency", "Hz", ("wind.noise.bandwidth",))
     ] = 1.0
     seed: Annotated[Seed, Key("of the noise", "", ("wind.noise.seed",))] = 0
 
@@ -68,7 +68,7 @@ class TurbulenceTable(Table):
         Key("length scale", "m", ("wind.turbulence.length",)),
     ] = 1200.0
     bandwidth: Annotated[
-        Quantity, Key("greatest frequency", "Hz", ("wind.turbulence.bandwidth",))
+        Frequency, Key("greatest frequency", "Hz", ("wind.turbulence.bandwidth",))
     ] = 1.0
     seed: Annotated[Seed, Key("of the turbulence", "", ("wind.turbulence.seed",))] = 0
 
