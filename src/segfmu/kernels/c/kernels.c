@@ -374,7 +374,8 @@ static double of_the_way(double ahead, double back, int64_t axis, array_double_1
 static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
 static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
-static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other);
+static double next_point(double newest, double other, double before, double e_newest, double e_other, double e_before);
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, bool crossed, double point, double error, double newest, double other, double e_newest, double e_other);
 static double least_scale(void);
 static bool has_tripped(array_double_1d command);
 static int64_t wanted_mode(array_double_1d command);
@@ -10036,18 +10037,27 @@ share = share + rest * e_newest / (e_before - e_newest) * e_other / (e_before - 
 least = 2e-16 * span_max(fabs(newest), fabs(other)) / fabs(other - newest);
 return span_max(span_min(share, 1.0 - least), least);
 }
-static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, bool crossed, double newest, double other, double e_newest, double e_other) {
+static double next_point(double newest, double other, double before, double e_newest, double e_other, double e_before) {
+double share;
+share = root_share(newest, other, before, e_newest, e_other, e_before);
+return newest + share * (other - newest);
+}
+static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, bool crossed, double point, double error, double newest, double other, double e_newest, double e_other) {
 if (crossed) {
-(*result_0_0001) = newest;
-(*result_1_0001) = other;
-(*result_2_0001) = e_newest;
-(*result_3_0001) = e_other;
+(*result_0_0001) = point;
+(*result_1_0001) = newest;
+(*result_2_0001) = other;
+(*result_3_0001) = error;
+(*result_4_0001) = e_newest;
+(*result_5_0001) = e_other;
 return 0;
 }
-(*result_0_0001) = other;
-(*result_1_0001) = newest;
-(*result_2_0001) = e_other;
-(*result_3_0001) = e_newest;
+(*result_0_0001) = point;
+(*result_1_0001) = other;
+(*result_2_0001) = newest;
+(*result_3_0001) = error;
+(*result_4_0001) = e_other;
+(*result_5_0001) = e_newest;
 return 0;
 }
 double segfmu_begin_time(double given, double start) {
@@ -13097,10 +13107,7 @@ rate = 0.5 * (a + level) + 0.5 * growth * (t + t_end + (level + b) * slope);
 following = 0.5 * (lower + upper);
 if (rate > 0.0) {
 newton = t - error / rate;
-bend = 0.0;
-if (i > 0) {
-bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before);
-}
+bend = i > 0 ? 0.5 * error / rate * (rate - rate_before) / (t - t_before) : 0.0;
 if ((bend != 0.0) && (fabs(bend) < 0.5 * rate)) {
 newton = t - error / (rate - bend);
 }
@@ -13489,10 +13496,7 @@ exchange_sides(1, axis);
 exchange_sides(2, axis);
 }
 static double flush_tiny(double value, double scale) {
-if (fabs(value) <= 1e-30 * scale) {
-return 0.0;
-}
-return value;
+return fabs(value) <= 1e-30 * scale ? 0.0 : value;
 }
 static double boundary_value(double value, double lower, double upper) {
 return span_min(span_max(flush_tiny(value, span_max(lower, upper)), -lower), upper);
@@ -13658,10 +13662,7 @@ basis = *cspan_at(&phases, i, 1);
 a = *cspan_at(&phases, i, 2);
 b = a + *cspan_at(&phases, i, 3);
 if (a * b < 0.0) {
-near = v;
-if (fabs(a) > fabs(b)) {
-near = v + 0.5 * (a + b) * duration;
-}
+near = fabs(a) > fabs(b) ? v + 0.5 * (a + b) * duration : v;
 bound = near + extreme_gain(a, b, duration, basis, axis);
 if (a < 0.0) {
 bound = 2.0 * near - bound;
@@ -13695,7 +13696,7 @@ total = total + *cspan_at(&phases, i, 0);
 return total;
 }
 static double valid_duration(array_double_2d phases, int64_t count, array_double_1d problem, array_double_1d axis) {
-double distance, most, y, end, lowest, highest, fastest, duration;
+double distance, most, duration, y, end, lowest, highest, fastest;
 distance = *cspan_at(&problem, 4);
 most = slowest_velocity(axis) * (1.0 + 1e-12);
 segfmu_measure_phases(&duration, &y, &end, &lowest, &highest, phases, count, *cspan_at(&problem, 0), most, axis);
@@ -13706,10 +13707,7 @@ fastest = span_max(-lowest, highest);
 if (fabs(end - *cspan_at(&problem, 2)) > 1e-12 * fastest) {
 return -1.0;
 }
-if (fabs(y - distance) > 1e-12 * (fabs(distance) + fastest * duration)) {
-return -1.0;
-}
-return duration;
+return fabs(y - distance) > 1e-12 * (fabs(distance) + fastest * duration) ? -1.0 : duration;
 }
 static bool is_passing(array_double_2d phases, int64_t count, array_double_1d axis) {
 int64_t i;
@@ -13831,7 +13829,7 @@ result = insert_hold(phases, count, row, 0.0, hold);
 return result;
 }
 static int64_t vanishing_cruise(double short_0001, double far, double start, array_double_2d phases, array_double_1d problem, array_double_1d axis) {
-double distance, newest, other, before, e_newest, e_other, e_before, middle, share, duration, y, error, lower, upper, cruise;
+double distance, newest, other, before, e_newest, e_other, e_before, middle, duration, y, error, lower, upper, cruise;
 bool falls_short, missing;
 int64_t i, count, row, result;
 distance = *cspan_at(&problem, 4);
@@ -13845,8 +13843,7 @@ falls_short = 1;
 for (i = 0; i < 100; i += 1) {
 middle = start;
 if (i > 0) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-middle = newest + share * (other - newest);
+middle = next_point(newest, other, before, e_newest, e_other, e_before);
 }
 if ((middle - newest) * (middle - other) >= 0.0) {
 if (i > 0) {
@@ -13860,9 +13857,7 @@ missing = (count < 0) || (error < 0.0);
 if (count < 0) {
 error = 0.0;
 }
-next_bracket(&other, &before, &e_other, &e_before, missing != falls_short, newest, other, e_newest, e_other);
-newest = middle;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, missing != falls_short, middle, error, newest, other, e_newest, e_other);
 falls_short = missing;
 if ((count >= 0) && (fabs(error) <= 2e-15 * fabs(distance))) {
 other = newest;
@@ -13910,10 +13905,7 @@ if (i > 6) {
 cruise = backwards * (1.0 - i / 6.0);
 }
 cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
-error = 0.0;
-if (used >= 0) {
-error = y - distance;
-}
+error = used >= 0 ? y - distance : 0.0;
 if (error * e_before < 0.0) {
 short_0001 = cruise;
 far = before;
@@ -13945,10 +13937,7 @@ w = *cspan_at(&problem, 2);
 b = *cspan_at(&problem, 3);
 segfmu_ramp_duration(&single, &slope, fabs(b - a), axis);
 missing = w - v - 0.5 * (a + b) * single;
-sign = 1.0;
-if (missing < 0.0) {
-sign = -1.0;
-}
+sign = missing < 0.0 ? -1.0 : 1.0;
 *cspan_at(&family, 0) = sign * v;
 *cspan_at(&family, 1) = sign * a;
 *cspan_at(&family, 2) = sign * w;
@@ -14029,7 +14018,7 @@ result = gain - (*cspan_at(&family, 2) - *cspan_at(&family, 0));
 return result;
 }
 static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis) {
-double lower, e_lower, upper, e_upper, other, before, e_newest, e_other, e_before, scale, most, share, radius, error, newest;
+double lower, e_lower, upper, e_upper, other, before, e_newest, e_other, e_before, scale, most, radius, error, newest;
 int64_t i;
 lower = 0.0;
 e_lower = -missing;
@@ -14060,12 +14049,9 @@ for (i = 0; i < 100; i += 1) {
 if ((fabs(e_newest) <= most) || (fabs(other - newest) <= 2e-16 * newest)) {
 break;
 }
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-radius = newest + share * (other - newest);
+radius = next_point(newest, other, before, e_newest, e_other, e_before);
 error = set_point(place, radius, family, axis);
-next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-newest = radius;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest < 0.0, radius, error, newest, other, e_newest, e_other);
 }
 return newest;
 }
@@ -14177,10 +14163,7 @@ if (last == 1) {
 *cspan_at(&axis, 19) = 1.0 / *cspan_at(&axis, 20);
 }
 if (last <= 1) {
-time = 1.0;
-if (last == 1) {
-time = *cspan_at(&axis, 21);
-}
+time = last == 1 ? *cspan_at(&axis, 21) : 1.0;
 rise_moments(&variance, &fourth, time, 0, axis);
 *cspan_at(&axis, 36) = variance / (time * time);
 }
@@ -14279,7 +14262,7 @@ return 0;
 return 0;
 }
 static double bracketed_root(double lower, double upper, double f_lower, double f_upper, array_double_1d family, array_double_1d axis) {
-double target, newest, e_newest, other, e_other, before, e_before, speed, share, p, value, duration, error;
+double target, newest, e_newest, other, e_other, before, e_before, speed, p, value, duration, error;
 int64_t i;
 target = *cspan_at(&family, 17);
 newest = upper;
@@ -14288,29 +14271,20 @@ other = lower;
 e_other = f_lower - target;
 before = lower;
 e_before = e_other;
-speed = fabs(*cspan_at(&family, 0)) + fabs(*cspan_at(&family, 2));
-if (*cspan_at(&family, 16) != 0.0) {
-speed = 0.0;
-}
+speed = *cspan_at(&family, 16) != 0.0 ? 0.0 : fabs(*cspan_at(&family, 0)) + fabs(*cspan_at(&family, 2));
 for (i = 0; i < 100; i += 1) {
 if ((e_newest == 0.0) || (fabs(newest - other) <= 2e-16 * fabs(newest))) {
 break;
 }
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-p = newest + share * (other - newest);
+p = next_point(newest, other, before, e_newest, e_other, e_before);
 canonical_value(&value, &duration, p, family, axis);
 error = value - target;
-next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-newest = p;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest < 0.0, p, error, newest, other, e_newest, e_other);
 if (fabs(error) <= 2e-15 * (fabs(target) + speed * duration)) {
 break;
 }
 }
-if (fabs(e_other) < fabs(e_newest)) {
-return other;
-}
-return newest;
+return fabs(e_other) < fabs(e_newest) ? other : newest;
 }
 static int64_t highest_member(double* result_0_0001, double* result_1_0001, double lower, double upper, array_double_1d family, array_double_1d axis) {
 double p, q, f_p, duration, f_q;
@@ -14569,10 +14543,7 @@ found = found && (f_upper != f_lower);
 if (found && (passed == (int64_t)(*cspan_at(&family, 18)))) {
 if (whole) {
 *cspan_at(&family, 23) = i + 1;
-*cspan_at(&family, 24) = p;
-if (!inside) {
-*cspan_at(&family, 24) = -1.0;
-}
+*cspan_at(&family, 24) = inside ? p : -1.0;
 *cspan_at(&family, 25) = f_upper;
 }
 if (f_upper > f_lower) {
@@ -15024,13 +14995,11 @@ error = keep_cruise(cruise, problem, axis, cell, work) - distance;
 if (fabs(error) <= rounding) {
 return;
 }
-next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-newest = cruise;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest < 0.0, cruise, error, newest, other, e_newest, e_other);
 }
 }
 static double cruise_edge(double inside, double outside, double h_inside, double h_outside, array_double_2d phases, array_double_1d problem, array_double_1d axis) {
-double newest, other, before, h_newest, h_other, h_before, share, cruise, y, hold;
+double newest, other, before, h_newest, h_other, h_before, cruise, y, hold;
 int64_t i, count;
 bool fits;
 newest = outside;
@@ -15043,8 +15012,7 @@ for (i = 0; i < 100; i += 1) {
 if (newest == other) {
 break;
 }
-share = root_share(newest, other, before, h_newest, h_other, h_before);
-cruise = newest + share * (other - newest);
+cruise = next_point(newest, other, before, h_newest, h_other, h_before);
 if ((cruise == newest) || (cruise == other)) {
 break;
 }
@@ -15053,9 +15021,7 @@ fits = (count >= 0) && (hold >= 0.0);
 if (count < 0) {
 hold = 0.0;
 }
-next_bracket(&other, &before, &h_other, &h_before, fits != (newest == inside), newest, other, h_newest, h_other);
-newest = cruise;
-h_newest = hold;
+next_bracket(&newest, &other, &before, &h_newest, &h_other, &h_before, fits != (newest == inside), cruise, hold, newest, other, h_newest, h_other);
 if (fits) {
 inside = cruise;
 if (hold <= 1e-12 * *cspan_at(&problem, 5)) {
@@ -15145,10 +15111,7 @@ if ((arc == 3) || (arc == 4)) {
 *cspan_at(&family, 34) = 1.0;
 }
 part = 0.5 * place - 1.0;
-side = 0.0;
-if (part < 0.0) {
-side = 2.0;
-}
+side = part < 0.0 ? 2.0 : 0.0;
 if ((arc == 2) || (arc == 4)) {
 side = side + 1.0;
 }
@@ -15178,13 +15141,10 @@ error = 0.0;
 return 0;
 }
 static double loop_root(int64_t arc, double lower, double upper, double e_lower, double e_upper, double missing, double largest, array_double_1d family, array_double_1d axis) {
-double place, error, newest, other, before, e_newest, e_other, e_before, share, duration;
+double place, error, newest, other, before, e_newest, e_other, e_before, duration;
 int64_t i;
 if ((e_lower == 0.0) || (e_upper == 0.0)) {
-place = upper;
-if (e_lower == 0.0) {
-place = lower;
-}
+place = e_lower == 0.0 ? lower : upper;
 loop_excess(&duration, &error, arc, place, 0.0, missing, largest, family, axis);
 return duration;
 }
@@ -15196,8 +15156,7 @@ e_other = e_lower;
 e_before = e_lower;
 duration = -1.0;
 for (i = 0; i < 100; i += 1) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-place = newest + share * (other - newest);
+place = next_point(newest, other, before, e_newest, e_other, e_before);
 if ((place == newest) || (place == other)) {
 break;
 }
@@ -15205,9 +15164,7 @@ loop_excess(&duration, &error, arc, place, 0.0, missing, largest, family, axis);
 if (duration < 0.0) {
 return -1.0;
 }
-next_bracket(&other, &before, &e_other, &e_before, error * e_newest < 0.0, newest, other, e_newest, e_other);
-newest = place;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest < 0.0, place, error, newest, other, e_newest, e_other);
 if (error == 0.0) {
 break;
 }
@@ -15415,10 +15372,7 @@ if ((share > 1e-10) && (share > 1.000001 * *cspan_at(&excess, order, 0))) {
 *cspan_at(&excess, order, 0) = share;
 *cspan_at(&excess, order, 1) = node;
 *cspan_at(&excess, order, 2) = holding;
-*cspan_at(&excess, order, 3) = 1.0;
-if (*cspan_at(&end, order) < 0.0) {
-*cspan_at(&excess, order, 3) = -1.0;
-}
+*cspan_at(&excess, order, 3) = *cspan_at(&end, order) < 0.0 ? -1.0 : 1.0;
 }
 }
 }
@@ -15474,10 +15428,7 @@ for (order = 0; order < 4; order += 1) {
 for (i = 0; i < (int64_t)(*cspan_at(&passing, 0)) + 1; i += 1) {
 row = 102 + i;
 for (order = 0; order < 8; order += 1) {
-*cspan_at(&state, order) = 0.0;
-if (order < q) {
-*cspan_at(&state, order) = *cspan_at(&work, row, 0 + order);
-}
+*cspan_at(&state, order) = order < q ? *cspan_at(&work, row, 0 + order) : 0.0;
 }
 *cspan_at(&state, q) = level;
 ramp = *cspan_at(&work, row, 11);
@@ -15533,10 +15484,7 @@ int64_t above, boxes, below, pieces, piece, held;
 double before, upper, lower, lowest, level, slope, curvature, third, ramp, change, length, direction, basis, peak, at, highest;
 above = (int64_t)(*cspan_at(&passing, 1));
 boxes = (int64_t)(*cspan_at(&axis, 0)) - 1 - above;
-before = *cspan_at(&passing, 9);
-if (i > 0) {
-before = *cspan_at(&nodes, i - 1, 9);
-}
+before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 9);
 below = 0 + above + 1;
 upper = sign * *cspan_at(&nodes, i, below);
 below = below - 1;
@@ -15737,10 +15685,7 @@ int64_t above, k;
 double pace, before, change, basis, slope, variance, fourth, square;
 above = (int64_t)(*cspan_at(&passing, 1));
 pace = *cspan_at(&passing, 2);
-before = *cspan_at(&passing, 9);
-if (i > 0) {
-before = *cspan_at(&nodes, i - 1, 9);
-}
+before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 9);
 change = *cspan_at(&nodes, i, 9) - before;
 for (k = 0; k < above + 2; k += 1) {
 *cspan_at(&nodes, i + 1, 0 + k) = *cspan_at(&nodes, i, 0 + k);
@@ -15760,24 +15705,19 @@ if ((int64_t)(*cspan_at(&node, 7)) == 2) {
 result = (int64_t)(*cspan_at(&node, 4));
 return result;
 }
-if ((int64_t)(*cspan_at(&node, 7)) != 0) {
-return q - 1;
-}
-return -1;
+result = (int64_t)(*cspan_at(&node, 7)) != 0 ? q - 1 : -1;
+return result;
 }
 static double residual_scale(int64_t order, array_double_1d passing, array_double_1d axis) {
-double acceleration, time, speed;
+double acceleration, time, speed, result;
 acceleration = *cspan_at(&passing, 4);
 time = *cspan_at(&passing, 3);
 if (order > 1) {
-speed = acceleration / power_of(span_min(time, *cspan_at(&axis, 13)), order - 2);
-return speed;
+result = acceleration / power_of(span_min(time, *cspan_at(&axis, 13)), order - 2);
+return result;
 }
 speed = span_min(fastest_velocity(axis), acceleration * time);
-if (order == 1) {
-return speed;
-}
-return speed * time;
+return order == 1 ? speed : speed * time;
 }
 static int64_t node_residuals(int64_t i, int64_t row, array_double_1d passing, array_double_1d axis, array_double_2d nodes, array_double_1d residual) {
 int64_t q, kind, dropped, k;
@@ -15998,9 +15938,8 @@ result = follow_dip(3, axis, work);
 return result;
 }
 static void balance_jerk(array_double_1d axis, array_double_2d work) {
-double newest, e_newest, other, e_other, before, e_before, share, second, error;
+double newest, e_newest, other, e_other, before, e_before, second, error;
 int64_t i;
-bool crossed;
 newest = *cspan_at(&work, 102, 6);
 e_newest = last_jerk(newest, axis, work);
 if (e_newest >= 0.0) {
@@ -16020,16 +15959,12 @@ e_other = last_jerk(other, axis, work);
 before = other;
 e_before = e_other;
 for (i = 0; i < 100; i += 1) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-second = newest + share * (other - newest);
+second = next_point(newest, other, before, e_newest, e_other, e_before);
 if ((second == newest) || (second == other) || (e_newest == 0.0)) {
 break;
 }
 error = last_jerk(second, axis, work);
-crossed = error * e_newest <= 0.0;
-next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-newest = second;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest <= 0.0, second, error, newest, other, e_newest, e_other);
 }
 *cspan_at(&work, 102 + 1, 6) = newest;
 }
@@ -16045,9 +15980,8 @@ result = follow_dip(2, axis, work) - end;
 return result;
 }
 static bool close_dip(double first, double end, array_double_1d axis, array_double_2d work) {
-double newest, e_newest, other, e_other, before, e_before, share, time, error;
+double newest, e_newest, other, e_other, before, e_before, time, error;
 int64_t i;
-bool crossed;
 *cspan_at(&work, 102, 6) = first;
 newest = 0.0;
 e_newest = last_excess(newest, end, axis, work);
@@ -16059,16 +15993,12 @@ e_other = last_excess(other, end, axis, work);
 before = other;
 e_before = e_other;
 for (i = 0; i < 100; i += 1) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-time = newest + share * (other - newest);
+time = next_point(newest, other, before, e_newest, e_other, e_before);
 if ((time == newest) || (time == other) || (e_newest == 0.0)) {
 break;
 }
 error = last_excess(time, end, axis, work);
-crossed = error * e_newest <= 0.0;
-next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-newest = time;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, error * e_newest <= 0.0, time, error, newest, other, e_newest, e_other);
 }
 last_excess(newest, end, axis, work);
 return 1;
@@ -16102,17 +16032,11 @@ static double find_edge(bool deepest, double lower, double end, array_double_1d 
 double accuracy, upper, first, found;
 int64_t i;
 bool shallow, deep;
-accuracy = 0.001;
-if (deepest) {
-accuracy = 0.01;
-}
+accuracy = deepest ? 0.01 : 0.001;
 upper = 1e+300;
 found = -1.0;
 for (i = 0; i < 100; i += 1) {
-first = 2.0 * lower;
-if (upper < 1e+300) {
-first = 0.5 * (lower + upper);
-}
+first = upper < 1e+300 ? 0.5 * (lower + upper) : 2.0 * lower;
 judge_dip(&shallow, &deep, first, end, axis, work);
 if (shallow && deep) {
 break;
@@ -16135,10 +16059,7 @@ return found;
 static bool find_dips(double v, double a, double end, array_double_1d axis, array_double_1d dips, array_double_2d work) {
 double sign, duration, slope, gain, least;
 int64_t lower, above;
-sign = 1.0;
-if (a < 0.0) {
-sign = -1.0;
-}
+sign = a < 0.0 ? -1.0 : 1.0;
 segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
 gain = 0.37 * fabs(a) * duration;
 if (ramps_suffice(axis) || (sign * v + gain > side_limit(1, sign, axis))) {
@@ -16204,10 +16125,7 @@ if (above == 0) {
 (*result_3) = *cspan_at(&dips, 0);
 return 0;
 }
-sign = 1.0;
-if (*cspan_at(&dips, 1) < 0.0) {
-sign = -1.0;
-}
+sign = *cspan_at(&dips, 1) < 0.0 ? -1.0 : 1.0;
 begin_dip(above, sign * *cspan_at(&dips, 0), fabs(*cspan_at(&dips, 1)), work);
 first = *cspan_at(&dips, 4) + depth * (*cspan_at(&dips, 5) - *cspan_at(&dips, 4));
 close_dip(first, sign * *cspan_at(&dips, 2), axis, work);
@@ -16272,7 +16190,7 @@ at_outer = peak_past_zero(v, a, outer, axis);
 return 1.0;
 }
 static double level_past_zero(double v, double a, double velocity_limit, double bottom, array_double_1d axis) {
-double newest, e_newest, other, e_other, before, e_before, share, level, error, inside;
+double newest, other, before, e_newest, e_other, e_before, level, error, inside;
 int64_t i;
 bool crossed;
 inside = deep_level(v, a, velocity_limit, bottom, axis);
@@ -16280,14 +16198,13 @@ if (inside > 0.0) {
 return inside;
 }
 newest = inside;
-e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit;
 other = 0.0;
+before = 0.0;
+e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit;
 e_other = peak_past_zero(v, a, other, axis) - velocity_limit;
-before = other;
 e_before = e_other;
 for (i = 0; i < 100; i += 1) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-level = newest + share * (other - newest);
+level = next_point(newest, other, before, e_newest, e_other, e_before);
 if ((level == newest) || (level == other)) {
 break;
 }
@@ -16297,9 +16214,7 @@ if (error <= 0.0) {
 crossed = newest != inside;
 inside = level;
 }
-next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-newest = level;
-e_newest = error;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, crossed, level, error, newest, other, e_newest, e_other);
 }
 return inside;
 }
@@ -16321,10 +16236,7 @@ if (!is_beyond(end, end, 1.0 + 1e-12, axis)) {
 return 0;
 }
 count = count - 1;
-sign = 1.0;
-if (level < 0.0) {
-sign = -1.0;
-}
+sign = level < 0.0 ? -1.0 : 1.0;
 most = side_limit(1, sign, axis);
 bottom = side_limit(2, -sign, axis);
 past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis);
@@ -16518,10 +16430,7 @@ return (distance - below) / (above - below);
 return 0.0;
 }
 static double beyond_rounding(double value, double scale) {
-if (fabs(value) <= 1e-09 * scale) {
-return 0.0;
-}
-return value;
+return fabs(value) <= 1e-09 * scale ? 0.0 : value;
 }
 static void mirror_problem(array_double_1d problem) {
 int64_t i;
@@ -16599,10 +16508,7 @@ turn_phases(mirrored, turned, span_max_int(count, 0), phases);
 if ((turned > 0) && (count == -1)) {
 return -2;
 }
-if ((turned > 0) && (count == -2)) {
-return -1;
-}
-return count;
+return (turned > 0) && (count == -2) ? -1 : count;
 }
 static bool has_pace(array_double_1d passing) {
 bool result;
@@ -16738,10 +16644,7 @@ largest = 0.0;
 for (i = 0; i < count; i += 1) {
 largest = span_max(largest, fabs(*cspan_at(&work, 203 + i, j)));
 }
-added = 1e-12 * largest;
-if (largest == 0.0) {
-added = 1.0;
-}
+added = largest == 0.0 ? 1.0 : 1e-12 * largest;
 diagonal = *cspan_at(&work, 203 + j, j);
 if (diagonal < 0.0) {
 added = -added;
@@ -16768,10 +16671,7 @@ return 0.0;
 }
 most = 0.5 * *cspan_at(&passing, 3);
 if (*cspan_at(&nodes, i, 4) == 0.0) {
-most = 0.7 * fabs(time);
-if (change * time >= 0.0) {
-most = 1.5 * fabs(time);
-}
+most = change * time >= 0.0 ? 1.5 * fabs(time) : 0.7 * fabs(time);
 most = most + 0.01 * *cspan_at(&passing, 3);
 }
 if (fabs(change) * share > most) {
@@ -16979,10 +16879,7 @@ return 0;
 if ((*cspan_at(&work, first, 4) != 0.0) || (*cspan_at(&work, last, 4) != 0.0)) {
 return 0;
 }
-share = 0.7;
-if (touch) {
-share = 0.5;
-}
+share = touch ? 0.5 : 0.7;
 time = share * 0.5 * (*cspan_at(&work, first, 6) + *cspan_at(&work, last, 6));
 before = *cspan_at(&work, first, 5);
 after = *cspan_at(&work, last, 5);
@@ -17307,10 +17204,7 @@ keep_sequence(120, work);
 if ((order == q - 3) && insert_instant(order, problem, axis, work)) {
 return 1;
 }
-guesses = 1;
-if (order == q - 2) {
-guesses = 3;
-}
+guesses = order == q - 2 ? 3 : 1;
 for (guess = 0; guess < guesses; guess += 1) {
 if (may_go_on(work) && insert_plateau(order, 0, guess, axis, work)) {
 if (solve_rotated(problem, axis, work)) {
@@ -17473,10 +17367,7 @@ int64_t count;
 if (change == 0.0) {
 return;
 }
-sign = 1.0;
-if (change < 0.0) {
-sign = -1.0;
-}
+sign = change < 0.0 ? -1.0 : 1.0;
 segfmu_ramp_duration(&duration, &slope, fabs(change), axis);
 rise = inner_rise(duration, 0, axis);
 hold = span_max(duration - 2.0 * rise, 0.0);
@@ -17576,10 +17467,7 @@ copy_levels(count, phases, *cspan_at(&problem, 0), axis, work);
 if (!is_square(passing, span_rows(&work, 102, 120))) {
 set_alternating(1.0, 0.7 * *cspan_at(&passing, 3) / q, work);
 }
-factor = 1.0;
-if (q == 4) {
-factor = 1.25;
-}
+factor = q == 4 ? 1.25 : 1.0;
 if (span_floor_mod(attempt, 3) == 1) {
 factor = 1.3 * factor;
 }
@@ -17641,10 +17529,7 @@ q = (int64_t)(*cspan_at(&passing, 1)) + 2;
 if (is_brief(axis) || is_resting(problem, axis)) {
 return 0;
 }
-most = 0.3;
-if ((int64_t)(*cspan_at(&passing, 0)) == q) {
-most = 1e+300;
-}
+most = (int64_t)(*cspan_at(&passing, 0)) == q ? 1e+300 : 0.3;
 duration = sequence_duration(passing, nodes);
 sign = *cspan_at(&work, 102, 5);
 scale = duration;
@@ -17748,10 +17633,7 @@ nodes = span_rows(&work, 102, 120);
 fast = 1.0;
 slow = 0.0;
 for (i = 0; i < 24; i += 1) {
-*cspan_at(&passing, 2) = 0.97 * fast;
-if (slow > 0.0) {
-*cspan_at(&passing, 2) = 0.5 * (slow + fast);
-}
+*cspan_at(&passing, 2) = slow > 0.0 ? 0.5 * (slow + fast) : 0.97 * fast;
 if (!solve_sequence(problem, axis, work)) {
 break;
 }
@@ -17792,22 +17674,17 @@ run_sequence(problem, passing, axis, nodes, span_row(&work, 202));
 static double idle_time(int64_t i, array_double_1d axis, array_double_2d work) {
 array_double_1d passing;
 int64_t row;
-double before, scale, spent;
+double before, spent, scale, result;
 passing = span_row(&work, 101);
 row = 102 + i;
-before = *cspan_at(&passing, 9);
-if (i > 0) {
-before = *cspan_at(&work, row - 1, 9);
-}
+before = i > 0 ? *cspan_at(&work, row - 1, 9) : *cspan_at(&passing, 9);
 if ((before != 0.0) || (*cspan_at(&work, row, 9) == 0.0) || (*cspan_at(&work, row + 1, 9) != 0.0)) {
 return 0.0;
 }
 spent = *cspan_at(&work, row, 11) + *cspan_at(&work, row, 10) + *cspan_at(&work, row + 1, 11);
 scale = residual_scale((int64_t)(*cspan_at(&passing, 1)) + 1, passing, axis);
-if (fabs(*cspan_at(&work, row, 9)) * spent > 1e-12 * scale) {
-return 0.0;
-}
-return spent;
+result = fabs(*cspan_at(&work, row, 9)) * spent > 1e-12 * scale ? 0.0 : spent;
+return result;
 }
 static int64_t write_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 double above, level, idle, after, ramp, basis, change, held, order, sign;
@@ -17880,13 +17757,12 @@ result = sequence_duration(span_row(&work, 101), span_rows(&work, 102, 120));
 return result;
 }
 static int64_t usual_ways(array_double_1d axis, array_double_2d work) {
+int64_t result;
 if (is_brief(axis)) {
 return 1;
 }
-if (*cspan_at(&work, 101, 12) == 0.0) {
-return 3;
-}
-return 2;
+result = *cspan_at(&work, 101, 12) == 0.0 ? 3 : 2;
+return result;
 }
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t ways, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 int64_t used, way;
@@ -17912,7 +17788,7 @@ return 0;
 }
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing;
-int64_t ways, used, others;
+int64_t ways, others, used;
 passing = span_row(&work, 101);
 *cspan_at(&passing, 11) = 0.0;
 ways = usual_ways(axis, work);
@@ -17928,10 +17804,7 @@ return used;
 first_solution(count, ramps, problem, axis, work);
 }
 shortest_way(&others, &shortest, ways, shortest, longest, phases, problem, axis, work);
-if (others > 0) {
-return others;
-}
-return used;
+return others > 0 ? others : used;
 }
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing, taken;
@@ -17970,10 +17843,7 @@ shortest = sequence_duration(span_row(&work, 101), span_rows(&work, 102, 120));
 if (*cspan_at(&problem, 5) < shortest) {
 return 0;
 }
-ways = 1;
-if (*cspan_at(&work, 101, 14) != 0.0) {
-ways = 2;
-}
+ways = *cspan_at(&work, 101, 14) != 0.0 ? 2 : 1;
 for (moving = 0; moving < ways; moving += 1) {
 if (pace_down(moving, shortest, problem, axis, work)) {
 result = write_sequence(phases, problem, axis, work);
@@ -18033,16 +17903,10 @@ return count;
 }
 }
 }
-first = 0;
-if (*cspan_at(&problem, 4) < 0.0) {
-first = 1;
-}
+first = *cspan_at(&problem, 4) < 0.0 ? 1 : 0;
 for (i = 0; i < 2; i += 1) {
 side = span_floor_mod((first + i), 2);
-cruise = *cspan_at(&axis, 2);
-if (side == 1) {
-cruise = -*cspan_at(&axis, 9);
-}
+cruise = side == 1 ? -*cspan_at(&axis, 9) : *cspan_at(&axis, 2);
 count = with_cruise(phases, cruise, problem, axis);
 if ((count > 0) && (valid_duration(phases, count, problem, axis) >= 0.0)) {
 return count;
@@ -18151,10 +18015,7 @@ static int64_t braked_ramps(int64_t count, array_double_1d problem, array_double
 int64_t best, variant, used;
 double shortest, usual, duration;
 best = count;
-shortest = 1e+300;
-if (count > 0) {
-shortest = total_duration(phases, count) * (1.0 - 1e-10);
-}
+shortest = count > 0 ? total_duration(phases, count) * (1.0 - 1e-10) : 1e+300;
 usual = usual_duration(problem, axis);
 for (variant = 1; variant < 8; variant += 1) {
 if ((variant > 4) && (best > 0) && (shortest <= usual)) {
@@ -18169,10 +18030,7 @@ best = used;
 shortest = duration;
 }
 }
-if (best == 0) {
-return -3;
-}
-return best;
+return best == 0 ? -3 : best;
 }
 static int64_t passing_either_way(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work) {
 array_double_2d ramps;
@@ -18301,10 +18159,7 @@ return 0;
 reverse_axis(axis);
 found = set_dips(*cspan_at(&problem, 2), -*cspan_at(&problem, 3), end, axis, last, work);
 reverse_axis(axis);
-if (!found) {
-return 0;
-}
-result = *cspan_at(&first, 3) + *cspan_at(&last, 3) > 0.0;
+result = found && (*cspan_at(&first, 3) + *cspan_at(&last, 3) > 0.0);
 return result;
 }
 static int64_t best_depth(int64_t count, array_double_2d phases, array_double_1d asked, array_double_1d axis, array_double_2d work) {
@@ -18374,10 +18229,7 @@ clear_nearest(work);
 count = slower_form(profile_between(rest, axis, work), between, rest, axis, work);
 copy_phases(between, span_rows(&cell, 0, 33), count);
 *cspan_at(&nearest, 0) = count;
-if (count == 0) {
-return -1.0;
-}
-return 0.0;
+return count == 0 ? -1.0 : 0.0;
 }
 static double timed_dipped(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, rest;
@@ -18405,10 +18257,7 @@ return weight;
 return -1.0;
 }
 static double sign_of(double value) {
-if (value < 0.0) {
-return -1.0;
-}
-return 1.0;
+return value < 0.0 ? -1.0 : 1.0;
 }
 static bool may_touch(double v, double a, array_double_1d axis) {
 double duration, slope, sign;
@@ -18424,10 +18273,7 @@ int64_t q;
 double sign, time, last;
 passing = span_row(&work, 101);
 q = (int64_t)(*cspan_at(&passing, 1)) + 2;
-sign = 1.0;
-if (span_floor_mod(variant, 2) == 1) {
-sign = -1.0;
-}
+sign = span_floor_mod(variant, 2) == 1 ? -1.0 : 1.0;
 time = duration / (q + 2);
 if (q == 4) {
 time = 0.7 * time;
@@ -18561,10 +18407,7 @@ return (0.5 * c + jerk * rise / 3.0) * rise * rise + rest * (rise + 0.5 * hold);
 }
 static double early_window(double duration, array_double_1d problem, array_double_1d axis) {
 double sign, v, a, w, b, distance, gain, single, slope, top, jerk, first, last, late, early, rounding, least, most, slowest, fastest;
-sign = 1.0;
-if (*cspan_at(&problem, 1) + *cspan_at(&problem, 3) < 0.0) {
-sign = -1.0;
-}
+sign = *cspan_at(&problem, 1) + *cspan_at(&problem, 3) < 0.0 ? -1.0 : 1.0;
 v = sign * *cspan_at(&problem, 0);
 a = sign * *cspan_at(&problem, 1);
 w = sign * *cspan_at(&problem, 2);
@@ -18649,10 +18492,7 @@ distance = ramp_distance(*cspan_at(&rest, 2), 0.0, b, spent, spent, axis);
 }
 *cspan_at(&rest, 4) = *cspan_at(&problem, 4) - distance;
 longest = early_window(duration - spent, rest, axis);
-if (longest > 0.0) {
-return longest + spent;
-}
-return 0.0;
+return longest > 0.0 ? longest + spent : 0.0;
 }
 static void begin_search(array_double_1d problem, array_double_1d axis, array_double_2d work) {
 boundary_problem(problem, axis, span_row(&work, 59));
@@ -19030,10 +18870,7 @@ int64_t i;
 double aim;
 state = span_row(&lead, 16);
 for (i = 1; i < (int64_t)(*cspan_at(&lead, 61, 0)) + 1; i += 1) {
-aim = 0.0;
-if ((i == order) && (*cspan_at(&lead, 21, i) < 1e+300)) {
-aim = *cspan_at(&lead, 21, i);
-}
+aim = (i == order) && (*cspan_at(&lead, 21, i) < 1e+300) ? *cspan_at(&lead, 21, i) : 0.0;
 if (fabs(*cspan_at(&state, i) - aim) <= *cspan_at(&lead, 20, i)) {
 *cspan_at(&state, i) = aim;
 }
@@ -19248,10 +19085,7 @@ for (i = 0; i < 9; i += 1) {
 *cspan_at(&turn, i) = *cspan_at(&state, i);
 }
 last = lead_to(order + 1, 0.0, row, lead, timing, coefficients);
-far = *cspan_at(&lead, 12, order);
-if (side < 0.0) {
-far = *cspan_at(&lead, 13, order);
-}
+far = side < 0.0 ? *cspan_at(&lead, 13, order) : *cspan_at(&lead, 12, order);
 (*result_0) = row;
 (*result_1) = last;
 (*result_2_0001) = side * (*cspan_at(&state, order) - far);
@@ -19273,10 +19107,7 @@ if (room < 0.0) {
 return -1.0;
 }
 if (level != 0.0) {
-near = *cspan_at(&lead, 13, order);
-if (side < 0.0) {
-near = *cspan_at(&lead, 12, order);
-}
+near = side < 0.0 ? *cspan_at(&lead, 12, order) : *cspan_at(&lead, 13, order);
 hold = span_min(side * (*cspan_at(&turn, order) - near), room) / fabs(level);
 for (i = 0; i < 9; i += 1) {
 *cspan_at(&state, i) = *cspan_at(&turn, i);
@@ -19297,11 +19128,7 @@ if ((last > first) && (!stays_inside(order, row + 1, last, lead, timing, coeffic
 return 1e+300;
 }
 *cspan_at(&lead, 14, 2) = last;
-if (last == first) {
-result = *cspan_at(&lead, 9, 8);
-return result;
-}
-result = *cspan_at(&timing, row, 0) + local;
+result = last == first ? *cspan_at(&lead, 9, 8) : *cspan_at(&timing, row, 0) + local;
 return result;
 }
 static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead) {
@@ -19354,10 +19181,7 @@ int64_t i;
 double value, bound;
 for (i = 1; i < limits.shape[0]; i += 1) {
 value = *cspan_at(&lead, 7, i);
-bound = *cspan_at(&limits, i - 1);
-if (value < 0.0) {
-bound = lower_limit(i, limits, lead);
-}
+bound = value < 0.0 ? lower_limit(i, limits, lead) : *cspan_at(&limits, i - 1);
 if ((bound > 0.0) && (fabs(value) > bound * (1.0 + 1e-12))) {
 return 1;
 }
@@ -19470,17 +19294,12 @@ return until;
 }
 static double level_limit(int64_t order, double side, array_double_2d lead) {
 double result;
-if (side < 0.0) {
-result = *cspan_at(&lead, 13, order + 1);
-return result;
-}
-result = *cspan_at(&lead, 12, order + 1);
+result = side < 0.0 ? *cspan_at(&lead, 13, order + 1) : *cspan_at(&lead, 12, order + 1);
 return result;
 }
 static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-double edge, near, e_other, e_newest, newest, other, before, e_before, share, level, room;
+double edge, near, e_other, e_newest, newest, other, before, e_before, level, room;
 int64_t row, last, i;
-bool crossed;
 edge = level_limit(order, side, lead);
 near = 0.001 * (*cspan_at(&lead, 13, order) - *cspan_at(&lead, 12, order));
 turn_round(&row, &last, &e_other, order, side, 0.0, settled, lead, timing, coefficients);
@@ -19493,16 +19312,12 @@ other = 0.0;
 before = 0.0;
 e_before = e_other;
 for (i = 0; i < 100; i += 1) {
-share = root_share(newest, other, before, e_newest, e_other, e_before);
-level = newest + share * (other - newest);
+level = next_point(newest, other, before, e_newest, e_other, e_before);
 turn_round(&row, &last, &room, order, side, level * edge, settled, lead, timing, coefficients);
 if ((last < 0) || ((0.0 <= room) && (room <= near)) || (fabs(newest - other) < 0.001)) {
 break;
 }
-crossed = room * e_newest < 0.0;
-next_bracket(&other, &before, &e_other, &e_before, crossed, newest, other, e_newest, e_other);
-newest = level;
-e_newest = room;
+next_bracket(&newest, &other, &before, &e_newest, &e_other, &e_before, room * e_newest < 0.0, level, room, newest, other, e_newest, e_other);
 }
 if (room < 0.0) {
 level = other;
@@ -19524,10 +19339,7 @@ if ((0.0 <= time) && (time < 1e+300)) {
 (*result_1) = level;
 return 0;
 }
-level = 0.5 * level;
-if (i == 5) {
-level = 0.0;
-}
+level = i == 5 ? 0.0 : 0.5 * level;
 time = try_brake(order, side, level, settled, lead, timing, coefficients);
 }
 if (time < 0.0) {
@@ -19553,7 +19365,7 @@ return 0;
 }
 static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, reached;
-double low, value;
+double low, value, result;
 int64_t first, i, last;
 state = span_row(&lead, 16);
 reached = span_row(&lead, 9);
@@ -19564,24 +19376,16 @@ for (i = 0; i < 9; i += 1) {
 }
 last = lead_to(order + 1, 0.0, first, lead, timing, coefficients);
 for (i = 0; i < 2; i += 1) {
-value = *cspan_at(&state, order);
-if (i == 1) {
-value = *cspan_at(&reached, order);
-}
+value = i == 1 ? *cspan_at(&reached, order) : *cspan_at(&state, order);
 if (outside_by(value, order, lead) > 0.0) {
-if (value > low) {
-return 1.0;
-}
-return -1.0;
+return value > low ? 1.0 : -1.0;
 }
 }
 if ((last >= 0) && stays_inside(order, first, last, lead, timing, coefficients)) {
 return 0.0;
 }
-if (*cspan_at(&reached, order + 1) > 0.0) {
-return 1.0;
-}
-return -1.0;
+result = *cspan_at(&reached, order + 1) > 0.0 ? 1.0 : -1.0;
+return result;
 }
 static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 int64_t order, i, last;
@@ -19695,11 +19499,7 @@ return 1;
 }
 static double kind_of(bool whole, array_double_1d limits) {
 double result;
-if (whole) {
-result = -(double)(limits.shape[0]);
-return result;
-}
-result = (double)(limits.shape[0]);
+result = whole ? -(double)(limits.shape[0]) : (double)(limits.shape[0]);
 return result;
 }
 static bool is_kept(int64_t row, bool whole, array_double_1d limits, array_double_2d lead) {
@@ -19951,10 +19751,7 @@ static int64_t level_order(int64_t order, array_double_2d lead) {
 int64_t seen, above;
 seen = 2 - order;
 above = (int64_t)(*cspan_at(&lead, 61 + seen, 38));
-if (above == 0) {
-return 0;
-}
-return seen + 2 + above;
+return above == 0 ? 0 : seen + 2 + above;
 }
 static double lead_end(int64_t order, array_double_2d lead) {
 double result;
@@ -20278,10 +20075,7 @@ result = (0.0 <= *cspan_at(&lead, 23, 0)) && (*cspan_at(&lead, 23, 0) <= time);
 return result;
 }
 static int64_t first_free_stage(int64_t order) {
-if (order == 1) {
-return order + 2;
-}
-return order;
+return order == 1 ? order + 2 : order;
 }
 static void try_soonest(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d first;
@@ -20408,15 +20202,9 @@ stage = level_order(order, lead);
 kept = *cspan_at(&lead, 23, 2);
 least = hopeful_time(lead);
 found = 1e+300;
-count = 0;
-if (jumps_often(lead)) {
-count = 12;
-}
+count = jumps_often(lead) ? 12 : 0;
 for (i = (-count) - 1; i < count + 1; i += 1) {
-level = kept;
-if (i >= -count) {
-level = near_zero((double)(i)) * *cspan_at(&lead, 19, stage);
-}
+level = i >= -count ? near_zero((double)(i)) * *cspan_at(&lead, 19, stage) : kept;
 time = follow_level(order, level, least, limits, lead, timing, coefficients);
 if (time < least) {
 least = time;
@@ -20846,10 +20634,7 @@ for (axis = 0; axis < start.shape[0]; axis += 1) {
 set_start(axis, start, lower, lead);
 count = segfmu_find_brake(0, span_row(&limits, axis), lead, timing, coefficients);
 for (i = 0; i < 27; i += 1) {
-*cspan_at(&brakes, axis, i) = 0.0;
-if (count > 0) {
-*cspan_at(&brakes, axis, i) = *cspan_at(&lead, 14, i);
-}
+*cspan_at(&brakes, axis, i) = count > 0 ? *cspan_at(&lead, 14, i) : 0.0;
 }
 if (*cspan_at(&brakes, axis, 0) > 0.0) {
 found = 1;
@@ -21297,15 +21082,9 @@ first = 1.0 / 3.0;
 second = 2.0 / 3.0;
 inner = 4.0 * fourth * fourth - 10.0 * third * fifth;
 if (inner > 0.0) {
-root = 2.0 * fourth + sqrt(inner);
-if (fourth < 0.0) {
-root = 2.0 * fourth - sqrt(inner);
-}
+root = fourth < 0.0 ? 2.0 * fourth - sqrt(inner) : 2.0 * fourth + sqrt(inner);
 low = (-third) / root;
-high = 2.0;
-if (fifth != 0.0) {
-high = (-0.1) * root / fifth;
-}
+high = fifth != 0.0 ? (-0.1) * root / fifth : 2.0;
 if (low > high) {
 last = low;
 low = high;
@@ -21369,10 +21148,7 @@ total = total + duration;
 hold = hold + held;
 a = b;
 }
-*cspan_at(&gentle, 13) = 0.0;
-if (total > 0.0) {
-*cspan_at(&gentle, 13) = (*cspan_at(&problem, 5) - hold) / total;
-}
+*cspan_at(&gentle, 13) = total > 0.0 ? (*cspan_at(&problem, 5) - hold) / total : 0.0;
 }
 static double gentle_errors(array_double_1d problem, array_double_1d axis, array_double_1d gentle) {
 double v, y, a, b, held, basis, duration, result;
@@ -22313,10 +22089,7 @@ double duration, resting, longest, total, target;
 report = span_row(&work, 99);
 synchronization = (int64_t)(*cspan_at(&options, 2));
 duration = *cspan_at(&options, 4);
-group = 1;
-if (synchronization == 1) {
-group = axes.shape[0];
-}
+group = synchronization == 1 ? axes.shape[0] : 1;
 resting = 0.0;
 for (j = 0; j < dwells.shape[0]; j += 1) {
 resting = resting + *cspan_at(&dwells, j);
@@ -25038,18 +24811,12 @@ return largest;
 }
 static double settle_value(double value, int64_t order, int64_t axis, array_double_3d states, array_double_2d limits, array_double_2d lower) {
 double limit;
-limit = *cspan_at(&limits, axis, order);
-if ((value < 0.0) && (*cspan_at(&lower, axis, order) > 0.0)) {
-limit = *cspan_at(&lower, axis, order);
-}
+limit = (value < 0.0) && (*cspan_at(&lower, axis, order) > 0.0) ? *cspan_at(&lower, axis, order) : *cspan_at(&limits, axis, order);
 if ((fabs(value) <= 1e-09 * limit) && (fabs(value) <= 1e-09 * segfmu_motion_scale(order, states, limits))) {
 return 0.0;
 }
 if (fabs(fabs(value) - limit) <= 1e-09 * limit) {
-if (value > 0.0) {
-return limit;
-}
-return -limit;
+return value > 0.0 ? limit : -limit;
 }
 return value;
 }

@@ -31,13 +31,22 @@ def root_share(
     return max(min(share, 1.0 - least), least)
 
 
+def next_point(
+    newest: float, other: float, before: float, e_newest: float, e_other: float, e_before: float
+) -> float:
+    """Next point to evaluate; arguments as of `root_share`."""
+    share = root_share(newest, other, before, e_newest, e_other, e_before)
+    return newest + share * (other - newest)
+
+
 def next_bracket(
-    crossed: bool, newest: float, other: float, e_newest: float, e_other: float
-) -> 'tuple[float, float, float, float]':
-    """The other point and the one before, and their errors, once a new point was evaluated.
+    crossed: bool, point: float, error: float, newest: float, other: float, e_newest: float,
+    e_other: float,
+) -> 'tuple[float, float, float, float, float, float]':
+    """The newest point, the other and the one before, and their errors, once a point was evaluated.
 
     `newest` is the point before it; crossed: the root lies between the two.
     """
     if crossed:
-        return newest, other, e_newest, e_other
-    return other, newest, e_other, e_newest
+        return point, newest, other, error, e_newest, e_other
+    return point, other, newest, error, e_other, e_newest

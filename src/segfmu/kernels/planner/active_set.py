@@ -59,9 +59,7 @@ def insert_level(
     elif variant == 3:
         place = node + 1
     elif variant == 4:
-        place = 0
-        beside = 0
-        sign = -1.0
+        place, beside, sign = 0, 0, -1.0
     elif variant == 5:
         place = count
         beside = count - 1
@@ -147,9 +145,7 @@ def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> b
     keep_sequence(PlanWork.KEPT, work)
     if order == q - 3 and insert_instant(order, problem, axis, work):
         return True
-    guesses = 1
-    if order == q - 2:
-        guesses = 3
+    guesses = 3 if order == q - 2 else 1
     for guess in range(guesses):
         if may_go_on(work) and insert_plateau(order, False, guess, axis, work):
             if solve_rotated(problem, axis, work):
@@ -183,8 +179,7 @@ def end_highest(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[
         return True
     row = PlanWork.NODES + place
     order = int(work[row, Node.KIND])
-    sign = work[row, Node.SIGN]
-    hold = work[row, Node.TIME]
+    sign, hold = work[row, Node.SIGN], work[row, Node.TIME]
     remove_node(place, work)
     work[PlanWork.EXCESS + order, Excess.NODE] = place
     work[PlanWork.EXCESS + order, Excess.SIGN] = sign

@@ -1,7 +1,7 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
 from segfmu.kernels.numerics.numbers import FEW, FINE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
 from segfmu.kernels.planner.merged import write_member
@@ -37,9 +37,7 @@ def loop_excess(
         if arc == LoopArc.FLAT_FIRST or arc == LoopArc.FLAT_LAST:
             family[Family.FLATNESS] = 1.0
         part = 0.5 * place - 1.0
-        side = 0.0
-        if part < 0.0:
-            side = 2.0
+        side = 2.0 if part < 0.0 else 0.0
         if arc == LoopArc.LAST or arc == LoopArc.FLAT_LAST:
             side = side + 1.0
         if not slow_middle(side, largest * part * part, family, axis):
@@ -71,31 +69,22 @@ def loop_root(
 ) -> float:
     """Duration of the member between two places that covers the distance; sets it. -1: none."""
     if e_lower == 0.0 or e_upper == 0.0:
-        place = upper
-        if e_lower == 0.0:
-            place = lower
+        place = lower if e_lower == 0.0 else upper
         duration, error = loop_excess(arc, place, 0.0, missing, largest, family, axis)
         return duration
-    newest = upper
-    other = lower
-    before = lower
-    e_newest = e_upper
-    e_other = e_lower
-    e_before = e_lower
+    newest, other, before = upper, lower, lower
+    e_newest, e_other, e_before = e_upper, e_lower, e_lower
     duration = -1.0
     for i in range(HALVINGS):
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        place = newest + share * (other - newest)
+        place = next_point(newest, other, before, e_newest, e_other, e_before)
         if place == newest or place == other:
             break
         duration, error = loop_excess(arc, place, 0.0, missing, largest, family, axis)
         if duration < 0.0:
             return -1.0
-        other, before, e_other, e_before = next_bracket(
-            error * e_newest < 0.0, newest, other, e_newest, e_other
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, place, error, newest, other, e_newest, e_other
         )
-        newest = place
-        e_newest = error
         if error == 0.0:
             break
     return duration

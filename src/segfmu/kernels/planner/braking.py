@@ -8,7 +8,7 @@ exists (docs/planner.md).
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, FAR, GOLDEN, HALVINGS, NEVER, SECTIONS
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.dip import find_dips, write_dip
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.phases import (
@@ -81,15 +81,12 @@ def level_past_zero(
     inside = deep_level(v, a, velocity_limit, bottom, axis)
     if inside > 0.0:
         return inside
-    newest = inside
+    newest, other, before = inside, 0.0, 0.0
     e_newest = peak_past_zero(v, a, inside, axis) - velocity_limit
-    other = 0.0
     e_other = peak_past_zero(v, a, other, axis) - velocity_limit
-    before = other
     e_before = e_other
     for i in range(HALVINGS):
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        level = newest + share * (other - newest)
+        level = next_point(newest, other, before, e_newest, e_other, e_before)
         if level == newest or level == other:
             break
         error = peak_past_zero(v, a, level, axis) - velocity_limit
@@ -97,9 +94,9 @@ def level_past_zero(
         if error <= 0.0:
             crossed = newest != inside
             inside = level
-        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
-        newest = level
-        e_newest = error
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            crossed, level, error, newest, other, e_newest, e_other
+        )
     return inside
 
 
@@ -120,9 +117,7 @@ def brake(
         if not is_beyond(end, end, 1.0 + EQUAL, axis):
             return count, duration, y, end
         count = count - 1
-        sign = 1.0
-        if level < 0.0:
-            sign = -1.0
+        sign = -1.0 if level < 0.0 else 1.0
         most = side_limit(1, sign, axis)
         bottom = side_limit(2, -sign, axis)
         past = sign * level_past_zero(sign * reached, sign * level, most, bottom, axis)
@@ -155,13 +150,8 @@ def braked(
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     rest = work[PlanWork.REST, :]
-    first = 0
-    last = 0
-    spent = 0.0
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
+    first, last, spent = 0, 0, 0.0
+    v, a, w, b = problem[Problem.V], problem[Problem.A], problem[Problem.W], problem[Problem.B]
     distance = problem[Problem.DISTANCE]
     if (variant % 2 == 1 and a == 0.0) or (variant >= 2 and b == 0.0):
         return Braking.NOT_NEEDED, 0.0

@@ -4,7 +4,7 @@ The cruise velocity is given, or such that the cruise has zero duration.
 """
 
 from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, ROUNDED, SAME
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
     append_change,
@@ -59,8 +59,7 @@ def cruise_form(
     if row < 0:
         return -1, 0, 0.0, 0.0
     # the second part is the first part of the reversed problem
-    w = problem[Problem.W]
-    b = problem[Problem.B]
+    w, b = problem[Problem.W], problem[Problem.B]
     count = append_velocity_change(phases, row, w, -b, cruise, bottom, top, axis)
     if count < 0:
         return -1, 0, 0.0, 0.0
@@ -98,18 +97,13 @@ def vanishing_cruise(
     begins at `start` and bisects where the form does not exist. Returns the number of phases.
     """
     distance = problem[Problem.DISTANCE]
-    newest = short
-    other = far
+    newest, other = short, far
     before = other
-    e_newest = 0.0
-    e_other = 0.0
-    e_before = 0.0
-    falls_short = True
+    e_newest, e_other, e_before, falls_short = 0.0, 0.0, 0.0, True
     for i in range(HALVINGS):
         middle = start
         if i > 0:
-            share = root_share(newest, other, before, e_newest, e_other, e_before)
-            middle = newest + share * (other - newest)
+            middle = next_point(newest, other, before, e_newest, e_other, e_before)
         if (middle - newest) * (middle - other) >= 0.0:
             if i > 0:
                 break
@@ -119,20 +113,16 @@ def vanishing_cruise(
         missing = count < 0 or error < 0.0
         if count < 0:
             error = 0.0
-        other, before, e_other, e_before = next_bracket(
-            missing != falls_short, newest, other, e_newest, e_other
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            missing != falls_short, middle, error, newest, other, e_newest, e_other
         )
-        newest = middle
-        e_newest = error
         falls_short = missing
         if count >= 0 and abs(error) <= ROUNDED * abs(distance):
             other = newest
             break
-    lower = newest
-    upper = other
+    lower, upper = newest, other
     if not falls_short:
-        lower = other
-        upper = newest
+        lower, upper = other, newest
     # the side whose rounding error a short cruise can compensate
     cruise = lower
     if cruise < 0.0:
@@ -156,22 +146,18 @@ def shorter_cruise(
     """
     distance = problem[Problem.DISTANCE]
     longest = NEVER
-    fastest = axis[Axis.VELOCITY]
-    backwards = axis[Axis.LOWER]
+    fastest, backwards = axis[Axis.VELOCITY], axis[Axis.LOWER]
     if count > 0:
         longest = total_duration(phases, count)
         fastest = speed_bound(1.0, longest, problem, axis)
         backwards = speed_bound(-1.0, longest, problem, axis)
-    before = 0.0
-    e_before = 0.0
+    before, e_before = 0.0, 0.0
     for i in range(2 * SAMPLES + 1):
         cruise = fastest * (1.0 - i / float(SAMPLES))
         if i > SAMPLES:
             cruise = backwards * (1.0 - i / float(SAMPLES))
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
-        error = 0.0
-        if used >= 0:
-            error = y - distance
+        error = y - distance if used >= 0 else 0.0
         if error * e_before < 0.0:
             short = cruise
             far = before

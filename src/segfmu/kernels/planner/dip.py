@@ -11,7 +11,7 @@ velocity is gained, and the lower the acceleration falls.
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, FINE, HALVINGS, NEVER
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import append_phase, boundary_value, mirror_phases
@@ -87,15 +87,13 @@ def balance_jerk(axis: 'float[:]', work: 'float[:,:]') -> None:
     before = other
     e_before = e_other
     for i in range(HALVINGS):
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        second = newest + share * (other - newest)
+        second = next_point(newest, other, before, e_newest, e_other, e_before)
         if second == newest or second == other or e_newest == 0.0:
             break
         error = last_jerk(second, axis, work)
-        crossed = error * e_newest <= 0.0
-        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
-        newest = second
-        e_newest = error
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest <= 0.0, second, error, newest, other, e_newest, e_other
+        )
     work[PlanWork.NODES + 1, Node.TIME] = newest
 
 
@@ -124,15 +122,13 @@ def close_dip(first: float, end: float, axis: 'float[:]', work: 'float[:,:]') ->
     before = other
     e_before = e_other
     for i in range(HALVINGS):
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        time = newest + share * (other - newest)
+        time = next_point(newest, other, before, e_newest, e_other, e_before)
         if time == newest or time == other or e_newest == 0.0:
             break
         error = last_excess(time, end, axis, work)
-        crossed = error * e_newest <= 0.0
-        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
-        newest = time
-        e_newest = error
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest <= 0.0, time, error, newest, other, e_newest, e_other
+        )
     last_excess(newest, end, axis, work)
     return True
 
@@ -161,15 +157,10 @@ def find_edge(
 
     It is more than `lower`, and the acceleration at its end is `end`. -1: there is none.
     """
-    accuracy = FINE
-    if deepest:
-        accuracy = DEEPEST
-    upper = NEVER
-    found = -1.0
+    accuracy = DEEPEST if deepest else FINE
+    upper, found = NEVER, -1.0
     for i in range(HALVINGS):
-        first = 2.0 * lower
-        if upper < NEVER:
-            first = 0.5 * (lower + upper)
+        first = 0.5 * (lower + upper) if upper < NEVER else 2.0 * lower
         shallow, deep = judge_dip(first, end, axis, work)
         if shallow and deep:
             break
@@ -194,9 +185,7 @@ def find_dips(
     With levels of the derivative that passing profiles have, or else of one below. With the snap as
     the highest limit, ramps of the acceleration do the same.
     """
-    sign = 1.0
-    if a < 0.0:
-        sign = -1.0
+    sign = -1.0 if a < 0.0 else 1.0
     duration, slope = ramp_duration(abs(a), axis)
     gain = LEAST_GAIN * abs(a) * duration
     if ramps_suffice(axis) or sign * v + gain > side_limit(1, sign, axis):
@@ -233,8 +222,7 @@ def find_deepest(axis: 'float[:]', dips: 'float[:]', work: 'float[:,:]') -> None
 def write_levels(phases: 'float[:,:]', work: 'float[:,:]') -> int:
     """Write the levels of a dip as phases; returns their number, at most 7."""
     above = work[PlanWork.PASSING, Passing.ABOVE]
-    level = 0.0
-    used = 0
+    level, used = 0.0, 0
     for i in range(int(above) + 2):
         row = PlanWork.NODES + i
         ramp = work[row, Node.RAMP]
@@ -254,9 +242,7 @@ def write_dip(
     above = int(dips[Dip.ABOVE])
     if above == 0:
         return 0, 0.0, 0.0, dips[Dip.V]
-    sign = 1.0
-    if dips[Dip.A] < 0.0:
-        sign = -1.0
+    sign = -1.0 if dips[Dip.A] < 0.0 else 1.0
     begin_dip(above, sign * dips[Dip.V], abs(dips[Dip.A]), work)
     first = dips[Dip.LEAST] + depth * (dips[Dip.DEEPEST] - dips[Dip.LEAST])
     close_dip(first, sign * dips[Dip.END], axis, work)

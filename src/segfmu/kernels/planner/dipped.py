@@ -114,17 +114,14 @@ def set_both_dips(end: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     reverse_axis(axis)
     found = set_dips(problem[Problem.W], -problem[Problem.B], end, axis, last, work)
     reverse_axis(axis)
-    if not found:
-        return False
-    return first[Dip.ABOVE] + last[Dip.ABOVE] > 0.0
+    return found and first[Dip.ABOVE] + last[Dip.ABOVE] > 0.0
 
 
 def best_depth(
     count: int, phases: 'float[:,:]', asked: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """Replace a profile by the shortest one with the dips that are set, of any depth."""
-    middle = 0.5
-    best = -1.0
+    middle, best = 0.5, -1.0
     for sweep in range(3):
         # depths of 0, 1/4 .. 1, then those between the best one and its neighbours
         for i in range(-2, 3):
@@ -181,9 +178,7 @@ def timed_between_dips(
     count = slower_form(profile_between(rest, axis, work), between, rest, axis, work)
     copy_phases(between, cell[Cell.BELOW:Cell.ABOVE, :], count)
     nearest[Nearest.BELOW_COUNT] = count
-    if count == 0:
-        return -1.0
-    return 0.0
+    return -1.0 if count == 0 else 0.0
 
 
 def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:

@@ -42,9 +42,7 @@ def usual_cruise(
 ) -> None:
     """The paper's form with a cruise about as fast as the mean velocity, if there is one."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    v = problem[Problem.V]
-    w = problem[Problem.W]
-    distance = problem[Problem.DISTANCE]
+    v, w, distance = problem[Problem.V], problem[Problem.W], problem[Problem.DISTANCE]
     middle = min(max(distance / problem[Problem.DURATION], min(v, w)), max(v, w))
     count, y, hold = timed_cruise(trial, middle, problem, axis)
     if count >= 0 and hold >= 0.0:
@@ -87,8 +85,7 @@ def clear_nearest(work: 'float[:,:]') -> None:
 def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -> float:
     """Share of the profile above in the weighted mean that covers the distance."""
     distance = problem[Problem.DISTANCE]
-    below = nearest[Nearest.BELOW_DISTANCE]
-    above = nearest[Nearest.ABOVE_DISTANCE]
+    below, above = nearest[Nearest.BELOW_DISTANCE], nearest[Nearest.ABOVE_DISTANCE]
     target = problem[Problem.DURATION]
     speed = speed_bound(1.0, target, problem, axis)
     speed = max(speed, speed_bound(-1.0, target, problem, axis))

@@ -70,9 +70,7 @@ def note_excess(
                 excess[order, Excess.SHARE] = share
                 excess[order, Excess.NODE] = node
                 excess[order, Excess.HOLDING] = holding
-                excess[order, Excess.SIGN] = 1.0
-                if end[order] < 0.0:
-                    excess[order, Excess.SIGN] = -1.0
+                excess[order, Excess.SIGN] = -1.0 if end[order] < 0.0 else 1.0
 
 
 def piece_excess(
@@ -119,9 +117,7 @@ def measure_excess(axis: 'float[:]', work: 'float[:,:]') -> bool:
     for i in range(int(passing[Passing.COUNT]) + 1):
         row = PlanWork.NODES + i
         for order in range(8):
-            state[order] = 0.0
-            if order < q:
-                state[order] = work[row, Node.STATE + order]
+            state[order] = work[row, Node.STATE + order] if order < q else 0.0
         state[q] = level
         ramp = work[row, Node.RAMP]
         change = work[row, Node.LEVEL] - level

@@ -46,10 +46,7 @@ def usual_duration(problem: 'float[:]', axis: 'float[:]') -> float:
 
 def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]') -> int:
     """The optimal forms, one ramp or cruise at the limit; 0 if none is valid."""
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
+    v, a, w, b = problem[Problem.V], problem[Problem.A], problem[Problem.W], problem[Problem.B]
     # nothing is faster than one ramp (phase I.1 alone), if it joins the boundary states
     count = append_change(phases, 0, a, b, axis)
     if count > 0:
@@ -61,14 +58,10 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
             if valid_duration(phases, count, problem, axis) >= 0.0:
                 return count
     # both cannot be valid; that in the direction of the distance is more likely
-    first = 0
-    if problem[Problem.DISTANCE] < 0.0:
-        first = 1
+    first = 1 if problem[Problem.DISTANCE] < 0.0 else 0
     for i in range(2):
         side = (first + i) % 2
-        cruise = axis[Axis.VELOCITY]
-        if side == 1:
-            cruise = -axis[Axis.LOWER]
+        cruise = -axis[Axis.LOWER] if side == 1 else axis[Axis.VELOCITY]
         count = with_cruise(phases, cruise, problem, axis)
         if count > 0 and valid_duration(phases, count, problem, axis) >= 0.0:
             return count
@@ -89,8 +82,7 @@ def shortest_between(
     """
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     family = work[PlanWork.FAMILY, :]
-    best = 0
-    shortest = 0.0
+    best, shortest = 0, 0.0
     if attempt == 0:
         best = fastest_between(phases, problem, axis)
         if best > 0:
@@ -167,9 +159,7 @@ def braked_ramps(
     It may take longer to keep the limit. Returns the new number of phases, or a status.
     """
     best = count
-    shortest = NEVER
-    if count > 0:
-        shortest = total_duration(phases, count) * (1.0 - GAINED)
+    shortest = total_duration(phases, count) * (1.0 - GAINED) if count > 0 else NEVER
     usual = usual_duration(problem, axis)
     for variant in range(1, 8):
         # the last three are the fallback
@@ -181,9 +171,7 @@ def braked_ramps(
         if used > 0:
             best = used
             shortest = duration
-    if best == 0:
-        return PlanStatus.NO_PROFILE
-    return best
+    return PlanStatus.NO_PROFILE if best == 0 else best
 
 
 def passing_either_way(

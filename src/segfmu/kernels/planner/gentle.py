@@ -21,8 +21,7 @@ WIDER = 1.5
 
 def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
     """Set the levels to the extreme accelerations of the polynomial of degree five."""
-    duration = problem[Problem.DURATION]
-    a = problem[Problem.A]
+    duration, a = problem[Problem.DURATION], problem[Problem.A]
     square = duration * duration
     y = problem[Problem.DISTANCE] - (problem[Problem.V] + 0.5 * a * duration) * duration
     v = (problem[Problem.W] - problem[Problem.V] - a * duration) * duration
@@ -35,13 +34,9 @@ def polynomial_levels(problem: 'float[:]', gentle: 'float[:]') -> None:
     second = 2.0 / 3.0
     inner = 4.0 * fourth * fourth - 10.0 * third * fifth
     if inner > 0.0:
-        root = 2.0 * fourth + sqrt(inner)
-        if fourth < 0.0:
-            root = 2.0 * fourth - sqrt(inner)
+        root = 2.0 * fourth - sqrt(inner) if fourth < 0.0 else 2.0 * fourth + sqrt(inner)
         low = -third / root
-        high = 2.0
-        if fifth != 0.0:
-            high = -0.1 * root / fifth
+        high = -0.1 * root / fifth if fifth != 0.0 else 2.0
         if low > high:
             last = low
             low = high
@@ -74,8 +69,7 @@ def gentle_hold(level: float, problem: 'float[:]', axis: 'float[:]') -> 'tuple[f
 
 def gentle_ramps(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> None:
     """Set ends, holds and durations of the three ramps to the levels, and their stretch."""
-    hold = 0.0
-    total = 0.0
+    hold, total = 0.0, 0.0
     a = problem[Problem.A]
     for i in range(3):
         b = problem[Problem.B]
@@ -89,9 +83,7 @@ def gentle_ramps(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> N
         total = total + duration
         hold = hold + held
         a = b
-    gentle[Gentle.STRETCH] = 0.0
-    if total > 0.0:
-        gentle[Gentle.STRETCH] = (problem[Problem.DURATION] - hold) / total
+    gentle[Gentle.STRETCH] = (problem[Problem.DURATION] - hold) / total if total > 0.0 else 0.0
 
 
 def gentle_errors(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> float:
@@ -126,8 +118,7 @@ def usual_speed(problem: 'float[:]', axis: 'float[:]') -> float:
 
 def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
     """Set the derivatives of both errors with the levels, from differences; False: all are zero."""
-    gain = gentle[Gentle.GAIN]
-    excess = gentle[Gentle.EXCESS]
+    gain, excess = gentle[Gentle.GAIN], gentle[Gentle.EXCESS]
     change = HALF_DIGITS * max(abs(gentle[Gentle.LEVELS]), abs(gentle[Gentle.LEVELS + 1]))
     if change == 0.0:
         return False
@@ -145,9 +136,7 @@ def gentle_slopes(problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> 
 
 def gentle_step(gentle: 'float[:]') -> bool:
     """Set Newton's step of the levels; False if there is none."""
-    gain = gentle[Gentle.GAIN]
-    excess = gentle[Gentle.EXCESS]
-    g1 = gentle[Gentle.GAIN_SLOPES]
+    gain, excess, g1 = gentle[Gentle.GAIN], gentle[Gentle.EXCESS], gentle[Gentle.GAIN_SLOPES]
     g2 = gentle[Gentle.GAIN_SLOPES + 1]
     e1 = gentle[Gentle.EXCESS_SLOPES]
     e2 = gentle[Gentle.EXCESS_SLOPES + 1]

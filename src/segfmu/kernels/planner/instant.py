@@ -45,9 +45,7 @@ def highest_at_node(
     """
     above = int(passing[Passing.ABOVE])
     boxes = int(axis[Axis.SMOOTHNESS]) - 1 - above
-    before = passing[Passing.START]
-    if i > 0:
-        before = nodes[i - 1, Node.LEVEL]
+    before = nodes[i - 1, Node.LEVEL] if i > 0 else passing[Passing.START]
     # the derivatives below the level, three, two and one lower, and those above it
     below = Node.STATE + above + 1
     upper = sign * nodes[i, below]
@@ -56,9 +54,7 @@ def highest_at_node(
     below = below - 1
     lowest = sign * nodes[i, below]
     level = sign * before
-    slope = 0.0
-    curvature = 0.0
-    third = 0.0
+    slope, curvature, third = 0.0, 0.0, 0.0
     ramp = nodes[i, Node.RAMP]
     change = sign * (nodes[i, Node.LEVEL] - before)
     highest = lowest

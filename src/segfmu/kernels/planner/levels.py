@@ -97,9 +97,7 @@ def root_level(
         following = 0.5 * (lower + upper)
         if rate > 0.0:
             newton = t - error / rate
-            bend = 0.0
-            if i > 0:
-                bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before)
+            bend = 0.5 * error / rate * (rate - rate_before) / (t - t_before) if i > 0 else 0.0
             if bend != 0.0 and abs(bend) < 0.5 * rate:
                 # Halley's method, with the change of the slope since the step before
                 newton = t - error / (rate - bend)
@@ -132,14 +130,9 @@ def member_distance(family: 'float[:]', axis: 'float[:]') -> 'tuple[float, float
 
     The distance is 0 where members are searched by their duration.
     """
-    v = family[Family.V]
-    a = family[Family.A]
-    b = family[Family.B]
-    t1 = family[Family.FIRST_TIME]
-    hold1 = family[Family.FIRST_HOLD]
-    level1 = family[Family.FIRST_LEVEL]
-    hold2 = family[Family.SECOND_HOLD]
-    level2 = family[Family.SECOND_LEVEL]
+    v, a, b, t1 = family[Family.V], family[Family.A], family[Family.B], family[Family.FIRST_TIME]
+    hold1, level1 = family[Family.FIRST_HOLD], family[Family.FIRST_LEVEL]
+    hold2, level2 = family[Family.SECOND_HOLD], family[Family.SECOND_LEVEL]
     t3 = family[Family.LAST_TIME]
     basis, slope = ramp_duration(abs(level2 - level1), axis)
     t2 = basis * family[Family.STRETCH]
@@ -167,8 +160,7 @@ def second_level(
 
     p as in `canonical_member`.
     """
-    b = family[Family.B]
-    last_ramp = family[Family.LAST_RAMP]
+    b, last_ramp = family[Family.B], family[Family.LAST_RAMP]
     hold = 0.0
     t = p
     if p >= last_ramp:

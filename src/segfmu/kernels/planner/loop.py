@@ -11,7 +11,7 @@ needs, with p = 0 or q = 0. Along all these arcs the distance is searched for (a
 """
 
 from segfmu.kernels.numerics.numbers import HALF_DIGITS, HALVINGS, LAST_DIGIT
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.ramp import ramp_change, ramp_duration
 from segfmu.kernels.planner.records import Family, LoopArc, Problem
 from segfmu.kernels.planner.sides import side_limit
@@ -22,15 +22,10 @@ def set_loop(problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> float
 
     The problem is mirrored if the single ramp gains too much.
     """
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
+    v, a, w, b = problem[Problem.V], problem[Problem.A], problem[Problem.W], problem[Problem.B]
     single, slope = ramp_duration(abs(b - a), axis)
     missing = w - v - 0.5 * (a + b) * single
-    sign = 1.0
-    if missing < 0.0:
-        sign = -1.0
+    sign = -1.0 if missing < 0.0 else 1.0
     family[Family.V] = sign * v
     family[Family.A] = sign * a
     family[Family.W] = sign * w
@@ -74,20 +69,17 @@ def set_point(place: float, radius: float, family: 'float[:]', axis: 'float[:]')
     radius is |p| + |q|; the place along the loop is 0 for p = radius, 1 for q = radius, and so on.
     """
     part = place
-    p_sign = 1.0
-    q_sign = 1.0
+    p_sign, q_sign = 1.0, 1.0
     if place >= 3.0:
         part = 4.0 - place
         q_sign = -1.0
     elif place >= 2.0:
         part = place - 2.0
-        p_sign = -1.0
-        q_sign = -1.0
+        p_sign, q_sign = -1.0, -1.0
     elif place >= 1.0:
         part = 2.0 - place
         p_sign = -1.0
-    a = family[Family.A]
-    b = family[Family.B]
+    a, b = family[Family.A], family[Family.B]
     t1, hold1, level1 = level_from(
         a, p_sign * radius * (1.0 - part), family[Family.FIRST_UP], family[Family.FIRST_DOWN],
         family, axis,
@@ -130,33 +122,25 @@ def loop_radius(
         e_upper = set_point(place, upper, family, axis)
         if arc == LoopArc.FOLD and e_lower >= 0.0 and e_upper < 0.0:
             break
-    newest = upper
-    other = lower
-    before = lower
-    e_newest = e_upper
-    e_other = e_lower
-    e_before = e_lower
+    newest, other, before = upper, lower, lower
+    e_newest, e_other, e_before = e_upper, e_lower, e_lower
     scale = abs(family[Family.V]) + abs(family[Family.W]) + missing
     most = max(LAST_DIGIT * scale, accuracy * missing)
     for i in range(HALVINGS):
         if abs(e_newest) <= most or abs(other - newest) <= LAST_DIGIT * newest:
             break
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        radius = newest + share * (other - newest)
+        radius = next_point(newest, other, before, e_newest, e_other, e_before)
         error = set_point(place, radius, family, axis)
-        other, before, e_other, e_before = next_bracket(
-            error * e_newest < 0.0, newest, other, e_newest, e_other
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, radius, error, newest, other, e_newest, e_other
         )
-        newest = radius
-        e_newest = error
     return newest
 
 
 def slow_middle(place: float, radius: float, family: 'float[:]', axis: 'float[:]') -> bool:
     """Set the member with one of p and q zero (as in `set_point`) whose second ramp is slow."""
     error = set_point(place, radius, family, axis)
-    level1 = family[Family.FIRST_LEVEL]
-    level2 = family[Family.SECOND_LEVEL]
+    level1, level2 = family[Family.FIRST_LEVEL], family[Family.SECOND_LEVEL]
     fastest, slope = ramp_duration(abs(level2 - level1), axis)
     mean = 0.5 * (level1 + level2)
     if fastest <= 0.0:

@@ -18,16 +18,12 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
     it goes on where it found the member before.
     """
     target = family[Family.TARGET]
-    passed = 0
-    begin = 0
-    lower = -1.0
-    f_lower = 0.0
+    passed, begin, lower, f_lower = 0, 0, -1.0, 0.0
     whole = family[Family.HIGHEST] == family[Family.TOP]
     if whole and int(family[Family.MEMBER]) > 0:
         passed = int(family[Family.MEMBER])
         begin = int(family[Family.PASSED])
-        lower = family[Family.PASSED_INSIDE]
-        f_lower = family[Family.PASSED_VALUE]
+        lower, f_lower = family[Family.PASSED_INSIDE], family[Family.PASSED_VALUE]
         if begin > COARSE + 1 and lower >= 0.0 and f_lower > target:
             return -1.0
     p = 0.0
@@ -49,9 +45,7 @@ def member_search(family: 'float[:]', axis: 'float[:]') -> float:
         if found and passed == int(family[Family.MEMBER]):
             if whole:
                 family[Family.PASSED] = i + 1
-                family[Family.PASSED_INSIDE] = p
-                if not inside:
-                    family[Family.PASSED_INSIDE] = -1.0
+                family[Family.PASSED_INSIDE] = p if inside else -1.0
                 family[Family.PASSED_VALUE] = f_upper
             if f_upper > f_lower:
                 return bracketed_root(lower, upper, f_lower, f_upper, family, axis)

@@ -33,22 +33,14 @@ def set_family(
     """
     reverse = branch == 1 or branch == 2
     mirror = branch >= 2
-    v = problem[Problem.V]
-    a = problem[Problem.A]
-    w = problem[Problem.W]
-    b = problem[Problem.B]
+    v, a, w, b = problem[Problem.V], problem[Problem.A], problem[Problem.W], problem[Problem.B]
     distance = problem[Problem.DISTANCE]
     family[Family.START_VELOCITY] = v
     if reverse:
-        v = problem[Problem.W]
-        a = -problem[Problem.B]
-        w = problem[Problem.V]
-        b = -problem[Problem.A]
+        v, a = problem[Problem.W], -problem[Problem.B]
+        w, b = problem[Problem.V], -problem[Problem.A]
     if mirror:
-        v = -v
-        a = -a
-        w = -w
-        b = -b
+        v, a, w, b = -v, -a, -w, -b
         distance = -distance
     top = axis[Axis.ACCELERATION]
     bottom = axis[Axis.LOWER + 1]
@@ -96,8 +88,7 @@ def same_members(branch: int, problem: 'float[:]', family: 'float[:]') -> bool:
     """
     if branch % 2 == 0 or family[Family.LOWERED] != 0.0:
         return False
-    a = problem[Problem.A]
-    b = problem[Problem.B]
+    a, b = problem[Problem.A], problem[Problem.B]
     if branch >= 2:
         a = -a
         b = -b
@@ -132,9 +123,7 @@ def merged_form(
 
 def write_member(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') -> int:
     """Write the member of a family as phases, on its own branch; their number."""
-    a = family[Family.A]
-    b = family[Family.B]
-    level1 = family[Family.FIRST_LEVEL]
+    a, b, level1 = family[Family.A], family[Family.B], family[Family.FIRST_LEVEL]
     level2 = family[Family.SECOND_LEVEL]
     count = append_ramp(phases, 0, a, level1, family[Family.FIRST_TIME], axis)
     count = append_hold(phases, count, level1, family[Family.FIRST_HOLD])
@@ -177,11 +166,9 @@ def level_within(
     Returns both and their excess over the limit less a billionth; the first is -1 if there is none.
     Below some level there may be no member, or one that exceeds the limit on the other side.
     """
-    peak_limit = axis[Axis.VELOCITY]
-    other_limit = axis[Axis.LOWER]
+    peak_limit, other_limit = axis[Axis.VELOCITY], axis[Axis.LOWER]
     if family[Family.MIRROR] != 0.0:
-        peak_limit = axis[Axis.LOWER]
-        other_limit = axis[Axis.VELOCITY]
+        peak_limit, other_limit = axis[Axis.LOWER], axis[Axis.VELOCITY]
     v = family[Family.START_VELOCITY]
     rounding = EQUAL * fastest_velocity(axis)
     margin = NEARLY * fastest_velocity(axis)
@@ -224,9 +211,7 @@ def highest_within(
     e_before = e_outside
     newest_inside = True
     # a boundary state can keep the excess near zero at any level; then only its sign is used
-    constant = False
-    probing = False
-    steps = 0
+    constant, probing, steps = False, False, 0
     while steps < HALVINGS:
         steps = steps + 1
         probing = False

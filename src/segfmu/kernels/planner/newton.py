@@ -152,9 +152,7 @@ def newton_step(
         for i in range(count):
             largest = max(largest, abs(work[PlanWork.MATRIX + i, j]))
         # far from singular to rounding errors; the step changes by as little, mirrored or not
-        added = EQUAL * largest
-        if largest == 0.0:
-            added = 1.0
+        added = 1.0 if largest == 0.0 else EQUAL * largest
         diagonal = work[PlanWork.MATRIX + j, j]
         if diagonal < 0.0:
             added = -added
@@ -176,9 +174,7 @@ def longest_step(work: 'float[:,:]') -> float:
             return 0.0
         most = 0.5 * passing[Passing.TIME]
         if nodes[i, Node.KIND] == 0.0:
-            most = LESS * abs(time)
-            if change * time >= 0.0:
-                most = MORE * abs(time)
+            most = MORE * abs(time) if change * time >= 0.0 else LESS * abs(time)
             # a small level can change its sign
             most = most + ACROSS * passing[Passing.TIME]
         if abs(change) * share > most:

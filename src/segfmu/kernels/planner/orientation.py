@@ -13,9 +13,7 @@ from segfmu.kernels.planner.sides import mirror_axis, reverse_axis, top_accelera
 
 def beyond_rounding(value: float, scale: float) -> float:
     """A value, 0 where only rounding separates it from that."""
-    if abs(value) <= NEARLY * scale:
-        return 0.0
-    return value
+    return 0.0 if abs(value) <= NEARLY * scale else value
 
 
 def mirror_problem(problem: 'float[:]') -> None:
@@ -99,6 +97,4 @@ def as_asked(
     turn_phases(mirrored, turned, max(count, 0), phases)
     if turned > 0 and count == PlanStatus.START_BRAKING:
         return PlanStatus.END_BRAKING
-    if turned > 0 and count == PlanStatus.END_BRAKING:
-        return PlanStatus.START_BRAKING
-    return count
+    return PlanStatus.START_BRAKING if turned > 0 and count == PlanStatus.END_BRAKING else count

@@ -177,9 +177,7 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
         axis[Axis.SQUARE] = 1.0 / axis[Axis.SQUARE_RATE]
     if last <= 1:
         # so have all ramps below the jerk limit the same proportions
-        time = 1.0
-        if last == 1:
-            time = axis[Axis.RISES]
+        time = axis[Axis.RISES] if last == 1 else 1.0
         variance, fourth = rise_moments(time, 0, axis)
         axis[Axis.VARIANCE] = variance / (time * time)
     jerk = axis[Axis.JERK]

@@ -39,12 +39,9 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
     """
     passing = work[PlanWork.PASSING, :]
     nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
-    fast = 1.0
-    slow = 0.0
+    fast, slow = 1.0, 0.0
     for i in range(TRIES):
-        passing[Passing.PACE] = SLOWER * fast
-        if slow > 0.0:
-            passing[Passing.PACE] = 0.5 * (slow + fast)
+        passing[Passing.PACE] = 0.5 * (slow + fast) if slow > 0.0 else SLOWER * fast
         if not solve_sequence(problem, axis, work):
             break
         if sequence_duration(passing, nodes) >= longest:
@@ -79,16 +76,12 @@ def idle_time(i: int, axis: 'float[:]', work: 'float[:,:]') -> float:
     """
     passing = work[PlanWork.PASSING, :]
     row = PlanWork.NODES + i
-    before = passing[Passing.START]
-    if i > 0:
-        before = work[row - 1, Node.LEVEL]
+    before = work[row - 1, Node.LEVEL] if i > 0 else passing[Passing.START]
     if before != 0.0 or work[row, Node.LEVEL] == 0.0 or work[row + 1, Node.LEVEL] != 0.0:
         return 0.0
     spent = work[row, Node.RAMP] + work[row, Node.HOLD] + work[row + 1, Node.RAMP]
     scale = residual_scale(int(passing[Passing.ABOVE]) + 1, passing, axis)
-    if abs(work[row, Node.LEVEL]) * spent > EQUAL * scale:
-        return 0.0
-    return spent
+    return 0.0 if abs(work[row, Node.LEVEL]) * spent > EQUAL * scale else spent
 
 
 def write_sequence(
@@ -96,10 +89,8 @@ def write_sequence(
 ) -> int:
     """Write a solved sequence as phases; their number."""
     flush_levels(problem, axis, work)
-    above = work[PlanWork.PASSING, Passing.ABOVE]
-    level = work[PlanWork.PASSING, Passing.START]
-    used = 0
-    idle = 0.0
+    above, level = work[PlanWork.PASSING, Passing.ABOVE], work[PlanWork.PASSING, Passing.START]
+    used, idle = 0, 0.0
     for i in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 1):
         row = PlanWork.NODES + i
         after = idle
@@ -162,9 +153,7 @@ def usual_ways(axis: 'float[:]', work: 'float[:,:]') -> int:
     """In how many ways sequences meet the limits (`passing_duration`)."""
     if is_brief(axis):
         return 1
-    if work[PlanWork.PASSING, Passing.PLAIN] == 0.0:
-        return 3
-    return 2
+    return 3 if work[PlanWork.PASSING, Passing.PLAIN] == 0.0 else 2
 
 
 def shortest_way(
@@ -210,9 +199,7 @@ def passing_form(
             return used
         first_solution(count, ramps, problem, axis, work)
     others, shortest = shortest_way(ways, shortest, longest, phases, problem, axis, work)
-    if others > 0:
-        return others
-    return used
+    return others if others > 0 else used
 
 
 def pace_down(
@@ -260,9 +247,7 @@ def timed_passing(
     if problem[Problem.DURATION] < shortest:
         return 0
     # moving first would refuse more durations; without an instant it costs time and finds no more
-    ways = 1
-    if work[PlanWork.PASSING, Passing.INSTANTS] != 0.0:
-        ways = 2
+    ways = 2 if work[PlanWork.PASSING, Passing.INSTANTS] != 0.0 else 1
     for moving in range(ways):
         if pace_down(moving, shortest, problem, axis, work):
             return write_sequence(phases, problem, axis, work)

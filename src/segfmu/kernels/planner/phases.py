@@ -18,9 +18,7 @@ TINY = 1e-30
 
 def flush_tiny(value: float, scale: float) -> float:
     """The value, or 0 if it is so small relative to its scale that its powers would underflow."""
-    if abs(value) <= TINY * scale:
-        return 0.0
-    return value
+    return 0.0 if abs(value) <= TINY * scale else value
 
 
 def boundary_value(value: float, lower: float, upper: float) -> float:
@@ -140,8 +138,7 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
 
 def reverse_problem(problem: 'float[:]') -> None:
     """Reverse the time as `reverse_phases` does."""
-    v = problem[Problem.V]
-    a = problem[Problem.A]
+    v, a = problem[Problem.V], problem[Problem.A]
     problem[Problem.V] = problem[Problem.W]
     problem[Problem.A] = -problem[Problem.B]
     problem[Problem.W] = v
@@ -150,9 +147,7 @@ def reverse_problem(problem: 'float[:]') -> None:
 
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:
     """Copy a boundary problem (Problem), rounding tiny values to zero and to limits."""
-    fastest = axis[Axis.VELOCITY]
-    backwards = axis[Axis.LOWER]
-    top = axis[Axis.ACCELERATION]
+    fastest, backwards, top = axis[Axis.VELOCITY], axis[Axis.LOWER], axis[Axis.ACCELERATION]
     bottom = axis[Axis.LOWER + 1]
     cleaned[Problem.V] = boundary_value(problem[Problem.V], backwards, fastest)
     cleaned[Problem.A] = boundary_value(problem[Problem.A], bottom, top)
@@ -206,20 +201,16 @@ def measure_phases(
     v is the velocity at the start. Peaks inside ramps are ignored if they are surely within
     +-`within`.
     """
-    total = 0.0
-    y = 0.0
+    total, y = 0.0, 0.0
     lowest = v
     highest = v
     for i in range(count):
-        duration = phases[i, Phase.DURATION]
-        basis = phases[i, Phase.BASIS]
+        duration, basis = phases[i, Phase.DURATION], phases[i, Phase.BASIS]
         a = phases[i, Phase.ACCELERATION]
         b = a + phases[i, Phase.CHANGE]
         if a * b < 0.0:
             # a quick bound first
-            near = v
-            if abs(a) > abs(b):
-                near = v + 0.5 * (a + b) * duration
+            near = v + 0.5 * (a + b) * duration if abs(a) > abs(b) else v
             bound = near + extreme_gain(a, b, duration, basis, axis)
             if a < 0.0:
                 bound = 2.0 * near - bound
@@ -258,9 +249,7 @@ def valid_duration(
     fastest = max(-lowest, highest)
     if abs(end - problem[Problem.W]) > EQUAL * fastest:
         return -1.0
-    if abs(y - distance) > EQUAL * (abs(distance) + fastest * duration):
-        return -1.0
-    return duration
+    return -1.0 if abs(y - distance) > EQUAL * (abs(distance) + fastest * duration) else duration
 
 
 def is_passing(phases: 'float[:,:]', count: int, axis: 'float[:]') -> bool:
@@ -298,8 +287,7 @@ def fit_duration(phases: 'float[:,:]', count: int, target: float) -> int:
     So go phases that are nothing else, whose pieces are too short for the clock. Returns the number
     of phases.
     """
-    total = 0.0
-    kept = 0
+    total, kept = 0.0, 0
     for i in range(count):
         duration = phases[i, Phase.DURATION]
         if duration > SAME * target:

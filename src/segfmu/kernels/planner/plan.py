@@ -62,8 +62,7 @@ def time_left(
     Also returns the sum [s] and the number of the intervals that can be prolonged.
     """
     rest = target
-    base = 0.0
-    count = 0
+    base, count = 0.0, 0
     for j in range(first, cells.shape[0], step):
         rest = rest - cells[j, Cell.RESULT, Interval.DURATION]
         if cells[j, Cell.PLACE, Place.PROLONGED] != 0.0:
@@ -287,9 +286,7 @@ def synchronize_plan(
     report = work[PlanWork.REFUSAL, :]
     synchronization = int(options[PlanOptions.SYNCHRONIZATION])
     duration = options[PlanOptions.DURATION]
-    group = 1
-    if synchronization == Synchronization.WAYPOINTS:
-        group = axes.shape[0]
+    group = axes.shape[0] if synchronization == Synchronization.WAYPOINTS else 1
     resting = 0.0
     for j in range(dwells.shape[0]):
         resting = resting + dwells[j]

@@ -89,8 +89,7 @@ def split_level(
     row = PlanWork.NODES + place
     if work[row, Node.KIND] != 0.0:
         return False
-    time = work[row, Node.TIME]
-    level_sign = work[row, Node.SIGN]
+    time, level_sign = work[row, Node.TIME], work[row, Node.SIGN]
     dip = min(abs(time), axis[Axis.RISES + kind - 1])
     before, depth, after = split_guess(guess)
     work[row, Node.TIME] = before * time
@@ -116,12 +115,9 @@ def split_ramp(
     if work[first, Node.KIND] != 0.0 or work[last, Node.KIND] != 0.0:
         return False
     # as much of the level that it begins from as a step of Newton's method may take
-    share = LESS
-    if touch:
-        share = 0.5
+    share = 0.5 if touch else LESS
     time = share * 0.5 * (work[first, Node.TIME] + work[last, Node.TIME])
-    before = work[first, Node.SIGN]
-    after = work[last, Node.SIGN]
+    before, after = work[first, Node.SIGN], work[last, Node.SIGN]
     if holding:
         hold = work[last - 1, Node.TIME]
         insert_node(place + 1, plateau, work[last - 1, Node.SIGN], hold, False, work)

@@ -71,9 +71,7 @@ def axis_scale(
     A limit that is meant as none can be far beyond what the waypoints and the other limits permit.
     Arrays as in `check_problem`, but for the limits of this axis alone.
     """
-    distance = 0.0
-    velocity = 0.0
-    acceleration = 0.0
+    distance, velocity, acceleration = 0.0, 0.0, 0.0
     for j in range(states.shape[0]):
         if j > 0:
             position = states[j, axis, WaypointState.POSITION]
@@ -117,15 +115,11 @@ def settle_value(
 
     Nearly is within 1e-9 of the limit and, next to 0, of `motion_scale`.
     """
-    limit = limits[axis, order]
-    if value < 0.0 and lower[axis, order] > 0.0:
-        limit = lower[axis, order]
+    limit = lower[axis, order] if value < 0.0 and lower[axis, order] > 0.0 else limits[axis, order]
     if abs(value) <= NEARLY * limit and abs(value) <= NEARLY * motion_scale(order, states, limits):
         return 0.0
     if abs(abs(value) - limit) <= NEARLY * limit:
-        if value > 0.0:
-            return limit
-        return -limit
+        return limit if value > 0.0 else -limit
     return value
 
 

@@ -46,8 +46,7 @@ def plateau_duration(change: float, first: int, axis: 'float[:]') -> 'tuple[floa
     and all rises below it triangles, the change is a power of x times c (x - the rise within).
     """
     boxes = int(axis[Axis.SMOOTHNESS]) - 1
-    factor = 1.0
-    doubled = 1.0
+    factor, doubled = 1.0, 1.0
     for level in range(first, boxes):
         limit = axis[Axis.JERK + level]
         least = axis[Axis.RISES + level]
@@ -84,8 +83,7 @@ def plateau_change(duration: float, first: int, axis: 'float[:]') -> 'tuple[floa
     """Inverse of `plateau_duration`, and its derivative with the duration."""
     boxes = int(axis[Axis.SMOOTHNESS]) - 1
     x = duration
-    factor = 1.0
-    doubled = 1.0
+    factor, doubled = 1.0, 1.0
     for level in range(first, boxes):
         least = axis[Axis.RISES + level]
         if x >= 2.0 * least:
@@ -125,9 +123,7 @@ def slowest_root(change: float, axis: 'float[:]') -> 'tuple[float, float]':
 
 def fastest_power(duration: float, axis: 'float[:]') -> 'tuple[float, float]':
     """Inverse of `slowest_root`: min over e of duration^e / q_e, and its derivative."""
-    fastest = -1.0
-    exponent = 1
-    power = 1.0
+    fastest, exponent, power = -1.0, 1, 1.0
     for e in range(1, 6):
         power = power * duration
         if axis[Axis.POWERS + e - 1] > 0.0:
@@ -191,8 +187,7 @@ def rise_moments(
     They are those of its slope, seen as a density: sums over its boxes.
     """
     rise = duration
-    squares = 0.0
-    fourths = 0.0
+    squares, fourths = 0.0, 0.0
     for level in range(first, int(axis[Axis.SMOOTHNESS]) - 2):
         inner = inner_rise(rise, level, axis)
         square = (rise - inner) * (rise - inner)

@@ -11,9 +11,7 @@ from segfmu.kernels.planner.records import Axis
 def curved_part(s: float, axis: 'float[:]') -> 'tuple[float, float, float]':
     """The transition polynomial at s, its derivative and its integral from 0."""
     count = int(axis[Axis.CURVE_SIZE])
-    value = 0.0
-    slope = 0.0
-    integral = 0.0
+    value, slope, integral = 0.0, 0.0, 0.0
     for j in range(count):
         i = count - 1 - j
         value = value * s + axis[Axis.CURVE + i]
@@ -88,10 +86,7 @@ def plateau_extreme_velocity(
 ) -> float:
     """`ramp_extreme_velocity` of a plateau ramp that crosses zero in its first half."""
     boxes = int(axis[Axis.SMOOTHNESS]) - 1
-    jerk = 0.0
-    snap = 0.0
-    crackle = 0.0
-    pop = 0.0
+    jerk, snap, crackle, pop = 0.0, 0.0, 0.0, 0.0
     highest = 0.0
     pieces = rise_pieces(boxes)
     for piece in range(1, pieces + 1):

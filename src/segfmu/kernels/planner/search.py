@@ -13,7 +13,7 @@ from segfmu.kernels.numerics.numbers import (
     ROUNDED,
     SECTIONS,
 )
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.levels import canonical_member, has_member, level_gain
 from segfmu.kernels.planner.parameters import saving
 from segfmu.kernels.planner.ramp import ramp_duration
@@ -62,27 +62,20 @@ def bracketed_root(
     e_other = f_lower - target
     before = lower
     e_before = e_other
-    speed = abs(family[Family.V]) + abs(family[Family.W])
-    if family[Family.BY_TIME] != 0.0:
-        speed = 0.0
+    speed = 0.0 if family[Family.BY_TIME] != 0.0 else abs(family[Family.V]) + abs(family[Family.W])
     for i in range(HALVINGS):
         if e_newest == 0.0 or abs(newest - other) <= LAST_DIGIT * abs(newest):
             break
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        p = newest + share * (other - newest)
+        p = next_point(newest, other, before, e_newest, e_other, e_before)
         value, duration = canonical_value(p, family, axis)
         error = value - target
-        other, before, e_other, e_before = next_bracket(
-            error * e_newest < 0.0, newest, other, e_newest, e_other
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, p, error, newest, other, e_newest, e_other
         )
-        newest = p
-        e_newest = error
         # rounding error of a sum whose terms may cancel
         if abs(error) <= ROUNDED * (abs(target) + speed * duration):
             break
-    if abs(e_other) < abs(e_newest):
-        return other
-    return newest
+    return other if abs(e_other) < abs(e_newest) else newest
 
 
 def rising_member(
@@ -216,8 +209,7 @@ def note_near(y: float, duration: float, family: 'float[:]', axis: 'float[:]') -
 
 def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
     """Note whether the first member may exist with steeper rises."""
-    a = family[Family.A]
-    b = family[Family.B]
+    a, b = family[Family.A], family[Family.B]
     low = max(0.0, max(a, b))
     first, least = level_gain(low, a, b, axis)
     if family[Family.W] - family[Family.V] >= (1.0 - saving(axis)) * least:
@@ -226,9 +218,7 @@ def note_near_gain(family: 'float[:]', axis: 'float[:]') -> None:
 
 def canonical_search(family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter of the first canonical member that covers the target distance, or -1."""
-    target = family[Family.TARGET]
-    v = family[Family.V]
-    w = family[Family.W]
+    target, v, w = family[Family.TARGET], family[Family.V], family[Family.W]
     f_lower, duration = canonical_value(0.0, family, axis)
     if duration < 0.0:
         note_near_gain(family, axis)

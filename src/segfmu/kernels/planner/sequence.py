@@ -112,9 +112,7 @@ def pass_node(
     """Ramp to the level of a node; the state after it is written to the next node."""
     above = int(passing[Passing.ABOVE])
     pace = passing[Passing.PACE]
-    before = passing[Passing.START]
-    if i > 0:
-        before = nodes[i - 1, Node.LEVEL]
+    before = nodes[i - 1, Node.LEVEL] if i > 0 else passing[Passing.START]
     change = nodes[i, Node.LEVEL] - before
     for k in range(above + 2):
         nodes[i + 1, Node.STATE + k] = nodes[i, Node.STATE + k]
@@ -134,9 +132,7 @@ def dropped_condition(q: int, node: 'float[:]') -> int:
     """Derivative whose condition at a plateau is that of the hold instead, its order; -1: none."""
     if int(node[Node.TOUCH]) == Touch.BELOW:
         return int(node[Node.KIND])
-    if int(node[Node.TOUCH]) != Touch.HOLDS:
-        return q - 1
-    return -1
+    return q - 1 if int(node[Node.TOUCH]) != Touch.HOLDS else -1
 
 
 def node_residuals(
@@ -291,14 +287,11 @@ def end_residuals(
 
 def residual_scale(order: int, passing: 'float[:]', axis: 'float[:]') -> float:
     """What a derivative is measured in: about its peak, for the same rounding errors of all."""
-    acceleration = passing[Passing.ACCELERATION]
-    time = passing[Passing.TIME]
+    acceleration, time = passing[Passing.ACCELERATION], passing[Passing.TIME]
     if order > 1:
         return acceleration / power_of(min(time, axis[Axis.FULL_RAMP]), order - 2)
     speed = min(fastest_velocity(axis), acceleration * time)
-    if order == 1:
-        return speed
-    return speed * time
+    return speed if order == 1 else speed * time
 
 
 def sequence_duration(passing: 'float[:]', nodes: 'float[:,:]') -> float:

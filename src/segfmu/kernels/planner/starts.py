@@ -59,9 +59,7 @@ def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
     """Append the levels of a ramp of the acceleration; nothing for no change."""
     if change == 0.0:
         return
-    sign = 1.0
-    if change < 0.0:
-        sign = -1.0
+    sign = -1.0 if change < 0.0 else 1.0
     duration, slope = ramp_duration(abs(change), axis)
     rise = inner_rise(duration, 0, axis)
     hold = max(duration - 2.0 * rise, 0.0)
@@ -78,8 +76,7 @@ def append_levels(change: float, axis: 'float[:]', work: 'float[:,:]') -> None:
 
 def limit_held(a: float, v: float, axis: 'float[:]') -> 'tuple[int, float]':
     """The derivative that a hold keeps at its limit, 1 or 2, and its sign; 0 if there is none."""
-    order = 0
-    value = 0.0
+    order, value = 0, 0.0
     if abs(a) >= side_limit(2, a, axis) * (1.0 - NEARLY):
         order = 2
         value = a
@@ -99,8 +96,7 @@ def copy_levels(
     passing[Passing.COUNT] = 0.0
     pending = 0.0
     for i in range(count):
-        a = phases[i, Phase.ACCELERATION]
-        change = phases[i, Phase.CHANGE]
+        a, change = phases[i, Phase.ACCELERATION], phases[i, Phase.CHANGE]
         duration = phases[i, Phase.DURATION]
         if change * pending < 0.0:
             append_levels(pending, axis, work)
@@ -154,9 +150,7 @@ def set_sequence(
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
         set_alternating(1.0, ALTERNATING * passing[Passing.TIME] / q, work)
     # the levels of ordinary profiles are lower, as they meet at zero
-    factor = 1.0
-    if q == 4:
-        factor = HIGHER
+    factor = HIGHER if q == 4 else 1.0
     if attempt % 3 == 1:
         factor = MORE * factor
     elif attempt % 3 == 2:
@@ -214,9 +208,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     if is_brief(axis) or is_resting(problem, axis):
         return False
     # beside one with plateaus it has to keep the limits nearly
-    most = BEYOND
-    if int(passing[Passing.COUNT]) == q:
-        most = NEVER
+    most = NEVER if int(passing[Passing.COUNT]) == q else BEYOND
     duration = sequence_duration(passing, nodes)
     sign = work[PlanWork.NODES, Node.SIGN]
     scale = duration

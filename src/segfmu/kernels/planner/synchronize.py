@@ -138,8 +138,7 @@ def timed_slower(
     """
     problem = work[PlanWork.PROBLEM, :]
     rest = work[PlanWork.REST, :]
-    velocity = axis[Axis.VELOCITY]
-    backwards = axis[Axis.LOWER]
+    velocity, backwards = axis[Axis.VELOCITY], axis[Axis.LOWER]
     factor = shortest / problem[Problem.DURATION]
     factor = factor * factor
     steepest = max(problem[Problem.A], problem[Problem.B])

@@ -5,7 +5,7 @@ form one or several windows; within a window the distance is continuous.
 """
 
 from segfmu.kernels.numerics.numbers import EQUAL, GAINED, HALVINGS, ROUNDED, SAMPLES
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point, root_share
 from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.phases import (
     copy_phases,
@@ -95,8 +95,7 @@ def keep_nearest(
         return
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
     nearest = work[PlanWork.NEAREST, :]
-    distance = problem[Problem.DISTANCE]
-    target = problem[Problem.DURATION]
+    distance, target = problem[Problem.DISTANCE], problem[Problem.DURATION]
     most = slowest_velocity(axis) * (1.0 + EQUAL)
     duration, y, end, lowest, highest = measure_phases(
         trial, count, problem[Problem.V], most, axis
@@ -154,11 +153,8 @@ def between_cruises(
     e_lower and e_upper are the excess distances of the two velocities [m].
     """
     distance = problem[Problem.DISTANCE]
-    newest = upper
-    other = lower
-    before = lower
-    e_newest = e_upper
-    e_other = e_lower
+    newest, other, before = upper, lower, lower
+    e_newest, e_other = e_upper, e_lower
     e_before = e_other
     speed = abs(problem[Problem.V]) + abs(problem[Problem.W])
     rounding = ROUNDED * (abs(distance) + speed * problem[Problem.DURATION])
@@ -175,11 +171,9 @@ def between_cruises(
         error = keep_cruise(cruise, problem, axis, cell, work) - distance
         if abs(error) <= rounding:
             return
-        other, before, e_other, e_before = next_bracket(
-            error * e_newest < 0.0, newest, other, e_newest, e_other
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            error * e_newest < 0.0, cruise, error, newest, other, e_newest, e_other
         )
-        newest = cruise
-        e_newest = error
 
 
 def cruise_edge(
@@ -195,28 +189,21 @@ def cruise_edge(
 
     h_inside and h_outside are the durations of their cruises, 0 where there is none [s].
     """
-    newest = outside
-    other = inside
-    before = inside
-    h_newest = h_outside
-    h_other = h_inside
-    h_before = h_inside
+    newest, other, before = outside, inside, inside
+    h_newest, h_other, h_before = h_outside, h_inside, h_inside
     for i in range(HALVINGS):
         if newest == other:
             break
-        share = root_share(newest, other, before, h_newest, h_other, h_before)
-        cruise = newest + share * (other - newest)
+        cruise = next_point(newest, other, before, h_newest, h_other, h_before)
         if cruise == newest or cruise == other:
             break
         count, y, hold = timed_cruise(phases, cruise, problem, axis)
         fits = count >= 0 and hold >= 0.0
         if count < 0:
             hold = 0.0
-        other, before, h_other, h_before = next_bracket(
-            fits != (newest == inside), newest, other, h_newest, h_other
+        newest, other, before, h_newest, h_other, h_before = next_bracket(
+            fits != (newest == inside), cruise, hold, newest, other, h_newest, h_other
         )
-        newest = cruise
-        h_newest = hold
         if fits:
             inside = cruise
             if hold <= EQUAL * problem[Problem.DURATION]:
@@ -242,10 +229,7 @@ def scan_cruises(
     distance = problem[Problem.DISTANCE]
     fastest = speed_bound(1.0, problem[Problem.DURATION], problem, axis)
     backwards = speed_bound(-1.0, problem[Problem.DURATION], problem, axis)
-    inside = False
-    before = 0.0
-    e_before = 0.0
-    h_before = 0.0
+    inside, before, e_before, h_before = False, 0.0, 0.0, 0.0
     for i in range(SAMPLES + 1):
         cruise = fastest * (2.0 * i / SAMPLES - 1.0)
         if cruise < 0.0:
@@ -272,7 +256,5 @@ def scan_cruises(
                 between_cruises(lower, upper, e_lower, e_upper, problem, axis, cell, work)
             if is_enclosed(work):
                 return
-        inside = fits
-        before = cruise
-        e_before = error
-        h_before = hold
+        inside, before = fits, cruise
+        e_before, h_before = error, hold

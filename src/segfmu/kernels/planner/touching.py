@@ -38,9 +38,7 @@ ONE_END = 6
 
 def sign_of(value: float) -> float:
     """-1 below zero, else 1."""
-    if value < 0.0:
-        return -1.0
-    return 1.0
+    return -1.0 if value < 0.0 else 1.0
 
 
 def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
@@ -62,9 +60,7 @@ def set_touching(
     """
     passing = work[PlanWork.PASSING, :]
     q = int(passing[Passing.ABOVE]) + 2
-    sign = 1.0
-    if variant % 2 == 1:
-        sign = -1.0
+    sign = -1.0 if variant % 2 == 1 else 1.0
     time = duration / (q + 2)
     if q == 4:
         # two levels of the snap make one of the jerk
@@ -116,14 +112,12 @@ def touching_starts(
     acceleration = steepest_acceleration(whole, problem, axis)
     first = may_touch(problem[Problem.V], problem[Problem.A], axis)
     last = may_touch(problem[Problem.W], -problem[Problem.B], axis)
-    used = 0
-    before = 0.0
+    used, before = 0, 0.0
     attempts = 5 * ONE_END + 4
     ways = usual_ways(axis, work)
     if ramps_suffice(axis):
         # of 2,576 problems with barely braked states others would shorten two, in more time
-        attempts = ONE_END
-        ways = 1
+        attempts, ways = ONE_END, 1
     for attempt in range(attempts):
         variant, share = touching_guess(attempt)
         if (variant < 4 or variant > 5) and not first:

@@ -41,8 +41,7 @@ def transition_peaks(order: int, coefficients: 'float[:]', peaks: 'float[:]') ->
     peaks[0] = 1.0
     samples = SAMPLES * (order + 1)
     for j in range(1, order + 2):
-        best = 0.0
-        at = 0
+        best, at = 0.0, 0
         for i in range(samples + 1):
             value = abs(polynomial_derivative(coefficients, count, j, i / (2.0 * samples)))
             if value > best:

@@ -43,9 +43,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     longer than one, and staircases that do change their sign can be shorter by little, by more
     with smoothsteps: the lines are those of the velocities at the ends then.
     """
-    sign = 1.0
-    if problem[Problem.A] + problem[Problem.B] < 0.0:
-        sign = -1.0
+    sign = -1.0 if problem[Problem.A] + problem[Problem.B] < 0.0 else 1.0
     v = sign * problem[Problem.V]
     a = sign * problem[Problem.A]
     w = sign * problem[Problem.W]
@@ -60,10 +58,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     # what the ends gain at least, and where
     top = side_limit(2, sign, axis)
     jerk = axis[Axis.JERK]
-    first = 0.0
-    last = 0.0
-    late = 0.0
-    early = 0.0
+    first, last, late, early = 0.0, 0.0, 0.0, 0.0
     if jerk > 0.0 and axis[Axis.LINEAR_FROM] > 0.0 and axis[Axis.PLATEAU] != 0.0:
         first = 0.5 * a * a / jerk
         last = 0.5 * b * b / jerk
@@ -101,8 +96,7 @@ def short_window(
 
     One ramp brings that one to zero. `rest` becomes the problem that is left.
     """
-    a = problem[Problem.A]
-    b = problem[Problem.B]
+    a, b = problem[Problem.A], problem[Problem.B]
     if a * b >= 0.0:
         return early_window(duration, problem, axis)
     if min(abs(a), abs(b)) > SMALL * max(abs(a), abs(b)):
@@ -121,6 +115,4 @@ def short_window(
         rest[Problem.B] = 0.0
     rest[Problem.DISTANCE] = problem[Problem.DISTANCE] - distance
     longest = early_window(duration - spent, rest, axis)
-    if longest > 0.0:
-        return longest + spent
-    return 0.0
+    return longest + spent if longest > 0.0 else 0.0

@@ -226,9 +226,7 @@ def turn_round(
     for i in range(Chain.SIZE):
         turn[i] = state[i]
     last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
-    far = lead[LeadWork.LOWEST, order]
-    if side < 0.0:
-        far = lead[LeadWork.HIGHEST, order]
+    far = lead[LeadWork.HIGHEST, order] if side < 0.0 else lead[LeadWork.LOWEST, order]
     return row, last, side * (state[order] - far)
 
 
@@ -260,9 +258,7 @@ def try_brake(
         return -1.0
     if level != 0.0:
         # held until the derivative is inside, unless it has to be let go before
-        near = lead[LeadWork.HIGHEST, order]
-        if side < 0.0:
-            near = lead[LeadWork.LOWEST, order]
+        near = lead[LeadWork.LOWEST, order] if side < 0.0 else lead[LeadWork.HIGHEST, order]
         hold = min(side * (turn[order] - near), room) / abs(level)
         for i in range(Chain.SIZE):
             state[i] = turn[i]
@@ -277,6 +273,4 @@ def try_brake(
     if last > first and not stays_inside(order, row + 1, last, lead, timing, coefficients):
         return NEVER
     lead[LeadWork.BRAKE, Brake.LAST] = last
-    if last == first:
-        return lead[LeadWork.BRAKED, Chain.TIME]
-    return timing[row, Timing.START] + local
+    return lead[LeadWork.BRAKED, Chain.TIME] if last == first else timing[row, Timing.START] + local

@@ -93,9 +93,7 @@ def best_steepness(
     for i in range(limits.shape[0]):
         if limits[i] <= 0.0:
             highest = STEEPEST
-    best = NEVER
-    steep = 1.0
-    chosen = 0.0
+    best, steep, chosen = NEVER, 1.0, 0.0
     for i in range(highest):
         count = brake_within(steep, loose, whole, limits, lead, timing, coefficients)
         until = lead[LeadWork.BRAKE, Brake.UNTIL]

@@ -52,9 +52,7 @@ def is_outside(limits: 'float[:]', lead: 'float[:,:]') -> bool:
     """Whether a derivative in the row NOW of `lead` is beyond its limit by more than rounding."""
     for i in range(1, limits.shape[0]):
         value = lead[LeadWork.NOW, i]
-        bound = limits[i - 1]
-        if value < 0.0:
-            bound = lower_limit(i, limits, lead)
+        bound = lower_limit(i, limits, lead) if value < 0.0 else limits[i - 1]
         if bound > 0.0 and abs(value) > bound * (1.0 + EQUAL):
             return True
     return False

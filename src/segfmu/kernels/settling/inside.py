@@ -5,7 +5,7 @@ there, and would be let go in time (attempt.py).
 """
 
 from segfmu.kernels.numerics.numbers import FINE, HALVINGS, NEVER
-from segfmu.kernels.numerics.roots import next_bracket, root_share
+from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.records import Axis
 from segfmu.kernels.settling.attempt import (
     lead_to,
@@ -21,9 +21,7 @@ from segfmu.kernels.trajectory.records import Brake
 
 def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
     """The limit of the derivative above one that is to come back from a side."""
-    if side < 0.0:
-        return lead[LeadWork.HIGHEST, order + 1]
-    return lead[LeadWork.LOWEST, order + 1]
+    return lead[LeadWork.HIGHEST, order + 1] if side < 0.0 else lead[LeadWork.LOWEST, order + 1]
 
 
 def deepest_level(
@@ -44,20 +42,16 @@ def deepest_level(
     if last < 0 or e_other < 0.0:
         return 0.0
     row, last, e_newest = turn_round(order, side, edge, settled, lead, timing, coefficients)
-    newest = 1.0
-    other = 0.0
-    before = 0.0
+    newest, other, before = 1.0, 0.0, 0.0
     e_before = e_other
     for i in range(HALVINGS):
-        share = root_share(newest, other, before, e_newest, e_other, e_before)
-        level = newest + share * (other - newest)
+        level = next_point(newest, other, before, e_newest, e_other, e_before)
         row, last, room = turn_round(order, side, level * edge, settled, lead, timing, coefficients)
         if last < 0 or 0.0 <= room <= near or abs(newest - other) < FINE:
             break
-        crossed = room * e_newest < 0.0
-        other, before, e_other, e_before = next_bracket(crossed, newest, other, e_newest, e_other)
-        newest = level
-        e_newest = room
+        newest, other, before, e_newest, e_other, e_before = next_bracket(
+            room * e_newest < 0.0, level, room, newest, other, e_newest, e_other
+        )
     if room < 0.0:
         level = other
     return level * edge
@@ -81,9 +75,7 @@ def best_level(
     for i in range(6):
         if 0.0 <= time < NEVER:
             return time, level
-        level = 0.5 * level
-        if i == 5:
-            level = 0.0
+        level = 0.0 if i == 5 else 0.5 * level
         time = try_brake(order, side, level, settled, lead, timing, coefficients)
     if time < 0.0:
         time = NEVER
@@ -123,18 +115,12 @@ def side_beyond(
         state[i] = reached[i]
     last = lead_to(order + 1, 0.0, first, lead, timing, coefficients)
     for i in range(2):
-        value = state[order]
-        if i == 1:
-            value = reached[order]
+        value = reached[order] if i == 1 else state[order]
         if outside_by(value, order, lead) > 0.0:
-            if value > low:
-                return 1.0
-            return -1.0
+            return 1.0 if value > low else -1.0
     if last >= 0 and stays_inside(order, first, last, lead, timing, coefficients):
         return 0.0
-    if reached[order + 1] > 0.0:
-        return 1.0
-    return -1.0
+    return 1.0 if reached[order + 1] > 0.0 else -1.0
 
 
 def bring_highest(
@@ -203,9 +189,7 @@ def bring_inside(
     side = side_beyond(order, lead, timing, coefficients)
     if side == 0.0 and not whole:
         return True
-    time = NEVER
-    level = 0.0
-    settled = False
+    time, level, settled = NEVER, 0.0, False
     for i in range(2):
         if time >= NEVER:
             settled = i == 1

@@ -10,9 +10,7 @@ from segfmu.kernels.trajectory.records import Brake
 
 def kind_of(whole: bool, limits: 'float[:]') -> float:
     """A number for how a brake goes on and for its number of limits; never 0."""
-    if whole:
-        return -float(limits.shape[0])
-    return float(limits.shape[0])
+    return -float(limits.shape[0]) if whole else float(limits.shape[0])
 
 
 def is_kept(row: int, whole: bool, limits: 'float[:]', lead: 'float[:,:]') -> bool:

@@ -50,8 +50,7 @@ def set_target(axis: int, targets: 'float[:,:]', lead: 'float[:,:]') -> None:
 
 def latest_axis(ends: 'float[:,:]') -> int:
     """The axis that takes the longest time to the target, of those that make no haste; -1: none."""
-    latest = -1
-    longest = -1.0
+    latest, longest = -1, -1.0
     for axis in range(ends.shape[0]):
         if ends[axis, LeadEnd.HASTY] == 0.0 and ends[axis, LeadEnd.TIME] > longest:
             latest = axis
@@ -218,9 +217,7 @@ def find_brakes(
         set_start(axis, start, lower, lead)
         count = find_brake(False, limits[axis, :], lead, timing, coefficients)
         for i in range(Brake.SIZE):
-            brakes[axis, i] = 0.0
-            if count > 0:
-                brakes[axis, i] = lead[LeadWork.BRAKE, i]
+            brakes[axis, i] = lead[LeadWork.BRAKE, i] if count > 0 else 0.0
         if brakes[axis, Brake.UNTIL] > 0.0:
             found = True
     return found

@@ -19,9 +19,7 @@ def level_order(order: int, lead: 'float[:,:]') -> int:
     """The derivative that has levels in leads of an order; 0 where none is above the jerk's."""
     seen = LeadStage.ACCELERATION - order
     above = int(lead[LeadWork.CHAINS + seen, Axis.ABOVE])
-    if above == 0:
-        return 0
-    return seen + 2 + above
+    return 0 if above == 0 else seen + 2 + above
 
 
 def lead_end(order: int, lead: 'float[:,:]') -> float:

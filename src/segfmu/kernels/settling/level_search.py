@@ -90,13 +90,9 @@ def search_grid(
     kept = lead[LeadWork.BEST, Lead.LEVEL]
     least = hopeful_time(lead)
     found = NEVER
-    count = 0
-    if jumps_often(lead):
-        count = COARSE
+    count = COARSE if jumps_often(lead) else 0
     for i in range(-count - 1, count + 1):
-        level = kept
-        if i >= -count:
-            level = near_zero(float(i)) * lead[LeadWork.LIMITS, stage]
+        level = near_zero(float(i)) * lead[LeadWork.LIMITS, stage] if i >= -count else kept
         time = follow_level(order, level, least, limits, lead, timing, coefficients)
         if time < least:
             least = time

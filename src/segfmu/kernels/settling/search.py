@@ -125,9 +125,7 @@ def try_soonest(
 
 def first_free_stage(order: int) -> int:
     """The last stage whose end is free."""
-    if order == LeadStage.VELOCITY:
-        return order + 2
-    return order
+    return order + 2 if order == LeadStage.VELOCITY else order
 
 
 def improve_ends(

@@ -117,9 +117,7 @@ def drop_rounding(order: int, lead: 'float[:,:]') -> None:
     """
     state = lead[LeadWork.STATE, :]
     for i in range(1, int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS]) + 1):
-        aim = 0.0
-        if i == order and lead[LeadWork.ENDS, i] < NEVER:
-            aim = lead[LeadWork.ENDS, i]
+        aim = lead[LeadWork.ENDS, i] if i == order and lead[LeadWork.ENDS, i] < NEVER else 0.0
         if abs(state[i] - aim) <= lead[LeadWork.ROUNDING, i]:
             state[i] = aim
 
