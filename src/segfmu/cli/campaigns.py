@@ -72,6 +72,7 @@ def campaign(
     from segfmu.validation.campaigns.result import load_result
     from segfmu.validation.campaigns.run import require_packages
     from segfmu.validation.campaigns.store import CAMPAIGN_FILES
+    from segfmu.validation.files.scenario_file import files_of
     from segfmu.validation.texts import require_utf8
 
     require_packages()
@@ -82,6 +83,9 @@ def campaign(
         require_file(junit)
         require_kept([file], [junit])
     task = load_campaign(file)
+    if junit is not None:
+        for own in task.source.scenarios:
+            require_kept(files_of(own), [junit])
     # before the runs, which may take hours
     other = None if against is None else load_result(against)
     if replay is not None:

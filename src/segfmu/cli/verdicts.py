@@ -49,10 +49,9 @@ def validate(
     """
     from segfmu.validation import suites
     from segfmu.validation.documents.suite import suite_document
-    from segfmu.validation.files.scenario_file import find, load_scenario
+    from segfmu.validation.files.scenario_file import files_of, find, load_scenario, read_source
     from segfmu.validation.requirements import of_results
     from segfmu.validation.suite_files import (
-        files_of,
         suite_table,
         table_names,
         write_junit,
@@ -67,7 +66,7 @@ def validate(
     names = [*SUITE_FILES, *table_names(scenarios)] if output is not None else []
     written = [Path(output or "") / name for name in names] + ([junit] if junit else [])
     for scenario in scenarios:
-        require_kept(files_of(scenario), written)
+        require_kept(files_of(read_source(scenario.path)), written)
     with watched() as progress:
         suite = suites.validate(scenarios, progress=progress)
     # first what cannot fail for a full disk

@@ -90,13 +90,6 @@ def table_names(scenarios: Sequence[Scenario]) -> list[str]:
     return [f"{name}.csv" for name in names]
 
 
-def files_of(scenario: Scenario) -> list[str | Path | None]:
-    """The file of a scenario and those that it names."""
-    file = scenario.file
-    references = [c.reference for c in file.criteria]
-    return [scenario.path, *references, *(p.file for p in file.profiles)]
-
-
 def _tables(results: Sequence[Result]) -> list[str | None]:
     """The same, one for each result with a run."""
     names = table_names([r.scenario for r in results])

@@ -13,6 +13,7 @@ from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.kinds import require_kind
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import build_mission, read_mission
+from segfmu.validation.files.mission_file import files_of as mission_files
 from segfmu.validation.files.reading import checked, merged, of_named, read
 from segfmu.validation.files.recording import Recording, load_recording
 from segfmu.validation.files.scenario_tables import CRANE, ScenarioFile
@@ -20,6 +21,8 @@ from segfmu.validation.units import run_units, signal_units, unlike
 
 # keys whose lists are merged by the names of their tables
 NAMED = ("criteria", "fmus")
+# lists of tables that name files, and the key of a file's name; a reference may be a signal
+NAMING = (("fmus", "path"), ("criteria", "reference"), ("profiles", "file"))
 # keys of a scenario that change the mission
 CHANGES = ("crane", "true_crane", "limits", "simulation")
 
@@ -104,6 +107,23 @@ def read_source(path: Path) -> Source:
         If one cannot be read.
     """
     return Source(path, _inherited(path, ()))
+
+
+def files_of(source: Source) -> list[Path]:
+    """The file of a checked scenario, those that it inherits from or names, and those they name.
+
+    Among them are names of signals, which references may be.
+    """
+    found = [*_bases(source.path), *mission_files(Path(source.data["mission"]))]
+    for kind, key in NAMING:
+        found += [Path(entry[key]) for entry in source.data.get(kind, ()) if key in entry]
+    return found
+
+
+def _bases(path: Path) -> list[Path]:
+    """A scenario file and those that it inherits from, which can be read."""
+    base = read(path).get("base")
+    return [path] if base is None else [path, *_bases(path.parent / base)]
 
 
 def build_scenario(source: Source, changes: Mapping[str, Any] | None = None) -> Scenario:
@@ -230,9 +250,8 @@ def located(path: Path, data: Mapping[str, Any]) -> dict[str, Any]:
         return {**table, key: str(path.parent / name)}
 
     found: dict[str, Any] = place(dict(data), "mission")
-    for kind, key, ending in (
-        ("fmus", "path", ""), ("criteria", "reference", ".csv"), ("profiles", "file", ""),
-    ):
+    for kind, key in NAMING:
+        ending = ".csv" if key == "reference" else ""
         if isinstance(found.get(kind), list):
             found = {**found, kind: [place(entry, key, ending) for entry in found[kind]]}
     return found
