@@ -13746,14 +13746,14 @@ power = power * factor;
 }
 static int64_t fit_duration(array_double_2d phases, int64_t count, double target) {
 double total, duration;
-int64_t i, j, kept;
+int64_t i, i_0001, kept;
 total = 0.0;
 kept = 0;
 for (i = 0; i < count; i += 1) {
 duration = *cspan_at(&phases, i, 0);
 if (duration > 1e-13 * target) {
-for (j = 0; j < 5; j += 1) {
-*cspan_at(&phases, kept, j) = *cspan_at(&phases, i, j);
+for (i_0001 = 0; i_0001 < phases.shape[1]; i_0001 += 1) {
+*cspan_at(&phases, kept, i_0001) = *cspan_at(&phases, i, i_0001);
 }
 total = total + duration;
 kept = kept + 1;
@@ -15893,7 +15893,7 @@ return (conditions == count) && (count + 2 <= 120 - 102);
 static void begin_dip(int64_t above, double v, double a, array_double_2d work) {
 array_double_1d passing;
 double sign;
-int64_t i, column;
+int64_t i, i_0001;
 passing = span_row(&work, 101);
 *cspan_at(&passing, 0) = above + 1;
 *cspan_at(&passing, 1) = above;
@@ -15901,8 +15901,8 @@ passing = span_row(&work, 101);
 *cspan_at(&passing, 9) = 0.0;
 sign = -1.0;
 for (i = 0; i < above + 2; i += 1) {
-for (column = 0; column < 12; column += 1) {
-*cspan_at(&work, 102 + i, column) = 0.0;
+for (i_0001 = 0; i_0001 < work.shape[1]; i_0001 += 1) {
+*cspan_at(&work, 102 + i, i_0001) = 0.0;
 }
 *cspan_at(&work, 102 + i, 5) = sign;
 sign = -sign;
@@ -16324,15 +16324,15 @@ return 0;
 static int64_t surround(array_double_2d phases, int64_t count, int64_t variant, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_2d trial;
 double v, duration, y, end, w;
-int64_t first, j, i, column, last;
+int64_t first, j, i, last, i_0001;
 trial = span_rows(&work, 0, 21);
 if (span_floor_mod(variant, 2) == 1) {
 v = *cspan_at(&problem, 0);
 brake(&first, &duration, &y, &end, v, *cspan_at(&problem, 1), axis, trial, work);
 for (j = 0; j < count; j += 1) {
 i = count - 1 - j;
-for (column = 0; column < 5; column += 1) {
-*cspan_at(&phases, first + i, column) = *cspan_at(&phases, i, column);
+for (i_0001 = 0; i_0001 < phases.shape[1]; i_0001 += 1) {
+*cspan_at(&phases, first + i, i_0001) = *cspan_at(&phases, i, i_0001);
 }
 }
 copy_phases(trial, phases, first);
@@ -16769,24 +16769,18 @@ error = reached;
 return error <= 1e-12;
 }
 static void keep_sequence(int64_t row, array_double_2d work) {
-int64_t i, j;
-for (i = 0; i < 27; i += 1) {
-*cspan_at(&work, row, i) = *cspan_at(&work, 101, i);
-}
-for (j = 0; j < (int64_t)(*cspan_at(&work, 101, 0)) + 2; j += 1) {
-for (i = 0; i < 12; i += 1) {
-*cspan_at(&work, row + 1 + j, i) = *cspan_at(&work, 102 + j, i);
+int64_t j, i;
+for (j = 0; j < (int64_t)(*cspan_at(&work, 101, 0)) + 3; j += 1) {
+for (i = 0; i < work.shape[1]; i += 1) {
+*cspan_at(&work, row + j, i) = *cspan_at(&work, 101 + j, i);
 }
 }
 }
 static void restore_sequence(int64_t row, array_double_2d work) {
-int64_t i, j;
-for (i = 0; i < 27; i += 1) {
-*cspan_at(&work, 101, i) = *cspan_at(&work, row, i);
-}
-for (j = 0; j < (int64_t)(*cspan_at(&work, 101, 0)) + 2; j += 1) {
-for (i = 0; i < 12; i += 1) {
-*cspan_at(&work, 102 + j, i) = *cspan_at(&work, row + 1 + j, i);
+int64_t j, i;
+for (j = 0; j < (int64_t)(*cspan_at(&work, row, 0)) + 3; j += 1) {
+for (i = 0; i < work.shape[1]; i += 1) {
+*cspan_at(&work, 101 + j, i) = *cspan_at(&work, row + j, i);
 }
 }
 }
@@ -16798,7 +16792,7 @@ count = (int64_t)(*cspan_at(&passing, 0));
 shift_instants(place, 1, passing);
 for (j = 0; j < count - place; j += 1) {
 row = 102 + count - j;
-for (i = 0; i < 12; i += 1) {
+for (i = 0; i < work.shape[1]; i += 1) {
 *cspan_at(&work, row, i) = *cspan_at(&work, row - 1, i);
 }
 }
@@ -16823,7 +16817,7 @@ int64_t count, row, i;
 passing = span_row(&work, 101);
 count = (int64_t)(*cspan_at(&passing, 0));
 for (row = 102 + place; row < 102 + count - 1; row += 1) {
-for (i = 0; i < 12; i += 1) {
+for (i = 0; i < work.shape[1]; i += 1) {
 *cspan_at(&work, row, i) = *cspan_at(&work, row + 1, i);
 }
 }
@@ -18475,7 +18469,7 @@ return result;
 if (span_min(fabs(a), fabs(b)) > 0.2 * span_max(fabs(a), fabs(b))) {
 return 0.0;
 }
-for (i = 0; i < 6; i += 1) {
+for (i = 0; i < rest.shape[0]; i += 1) {
 *cspan_at(&rest, i) = *cspan_at(&problem, i);
 }
 if (fabs(a) < fabs(b)) {
@@ -18728,13 +18722,13 @@ bound = needed / room;
 }
 }
 static void set_chains(double steep, array_double_1d axis, array_double_1d limits, array_double_2d chains) {
-int64_t smoothness, order, i;
+int64_t smoothness, order, i, i_0001;
 array_double_1d chain;
 smoothness = (int64_t)(*cspan_at(&axis, 0));
 for (order = 0; order < smoothness - 1; order += 1) {
 chain = span_row(&chains, order);
-for (i = 0; i < 50; i += 1) {
-*cspan_at(&chain, i) = 0.0;
+for (i_0001 = 0; i_0001 < chain.shape[0]; i_0001 += 1) {
+*cspan_at(&chain, i_0001) = 0.0;
 }
 *cspan_at(&chain, 0) = smoothness - order;
 *cspan_at(&chain, 1) = 1;
@@ -18877,10 +18871,10 @@ if (fabs(*cspan_at(&state, i) - aim) <= *cspan_at(&lead, 20, i)) {
 }
 }
 static int64_t settle_above(int64_t order, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t smoothness, i, stage;
+int64_t smoothness, i, stage, i_0001;
 smoothness = (int64_t)(*cspan_at(&lead, 61, 0));
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 16, i) = *cspan_at(&lead, 15, i);
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 16, i_0001) = *cspan_at(&lead, 15, i_0001);
 }
 for (i = 0; i < 2; i += 1) {
 stage = order + 4 - 2 * i;
@@ -18954,7 +18948,7 @@ row = hold_highest(top, length, row, lead, timing, coefficients);
 *cspan_at(&state, order) = end;
 return row;
 }
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 15, i) = *cspan_at(&state, i);
 *cspan_at(&lead, 21, i) = 1e+300;
 }
@@ -19069,19 +19063,19 @@ return 0;
 }
 static int64_t turn_round(int64_t* result_0, int64_t* result_1, double* result_2_0001, int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, turn;
-int64_t row, i, last;
+int64_t row, last, i;
 double far;
 state = span_row(&lead, 16);
 turn = span_row(&lead, 10);
 row = 400;
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < state.shape[0]; i += 1) {
 *cspan_at(&state, i) = *cspan_at(&lead, 9, i);
 }
 if (settled && (order + 2 <= (int64_t)(*cspan_at(&lead, 59, 0)))) {
 row = lead_to(order + 2, 0.0, row, lead, timing, coefficients);
 }
 row = lead_to(order + 1, level, row, lead, timing, coefficients);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < turn.shape[0]; i += 1) {
 *cspan_at(&turn, i) = *cspan_at(&state, i);
 }
 last = lead_to(order + 1, 0.0, row, lead, timing, coefficients);
@@ -19093,7 +19087,7 @@ return 0;
 }
 static double try_brake(int64_t order, double side, double level, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, turn;
-int64_t smoothness, first, row, last, i;
+int64_t smoothness, first, row, last, i, i_0001;
 double room, near, hold, local, result;
 state = span_row(&lead, 16);
 turn = span_row(&lead, 10);
@@ -19109,8 +19103,8 @@ return -1.0;
 if (level != 0.0) {
 near = side < 0.0 ? *cspan_at(&lead, 12, order) : *cspan_at(&lead, 13, order);
 hold = span_min(side * (*cspan_at(&turn, order) - near), room) / fabs(level);
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&state, i) = *cspan_at(&turn, i);
+for (i_0001 = 0; i_0001 < state.shape[0]; i_0001 += 1) {
+*cspan_at(&state, i_0001) = *cspan_at(&turn, i_0001);
 }
 row = hold_highest(0.0, hold, row, lead, timing, coefficients);
 last = lead_to(order + 1, 0.0, row, lead, timing, coefficients);
@@ -19132,7 +19126,7 @@ result = last == first ? *cspan_at(&lead, 9, 8) : *cspan_at(&timing, row, 0) + l
 return result;
 }
 static bool set_box(double steep, int64_t loose, array_double_1d limits, array_double_2d lead) {
-int64_t smoothness, i;
+int64_t smoothness, i, i_0001;
 array_double_1d axis, state;
 smoothness = limits.shape[0] - 1;
 axis = span_row(&lead, 59);
@@ -19147,8 +19141,8 @@ if (*cspan_at(&limits, i - 1) > 0.0) {
 if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, 61, 68))) {
 return 0;
 }
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&state, i) = 0.0;
+for (i_0001 = 0; i_0001 < state.shape[0]; i_0001 += 1) {
+*cspan_at(&state, i_0001) = 0.0;
 }
 for (i = 1; i < smoothness + 1; i += 1) {
 *cspan_at(&lead, 20, i) = rounding_error(i, limits);
@@ -19366,13 +19360,13 @@ return 0;
 static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, reached;
 double low, value, result;
-int64_t first, i, last;
+int64_t first, last, i, i_0001;
 state = span_row(&lead, 16);
 reached = span_row(&lead, 9);
 low = *cspan_at(&lead, 12, order);
 first = 400;
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&state, i) = *cspan_at(&reached, i);
+for (i_0001 = 0; i_0001 < state.shape[0]; i_0001 += 1) {
+*cspan_at(&state, i_0001) = *cspan_at(&reached, i_0001);
 }
 last = lead_to(order + 1, 0.0, first, lead, timing, coefficients);
 for (i = 0; i < 2; i += 1) {
@@ -19388,13 +19382,13 @@ result = *cspan_at(&reached, order + 1) > 0.0 ? 1.0 : -1.0;
 return result;
 }
 static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t order, i, last;
+int64_t order, last, i;
 double value, end, until;
 order = (int64_t)(*cspan_at(&lead, 59, 0));
 value = *cspan_at(&lead, 9, order);
 end = span_min(span_max(value, *cspan_at(&lead, 12, order)), *cspan_at(&lead, 13, order));
 if (outside_by(value, order, lead) > 0.0) {
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 16, i) = *cspan_at(&lead, 9, i);
 }
 last = lead_to(order, end, 400, lead, timing, coefficients);
@@ -19405,7 +19399,7 @@ append_pieces(until, last, lead, timing, coefficients);
 *cspan_at(&lead, 9, order) = end;
 }
 static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t first, i, last;
+int64_t first, last, i, i_0001;
 array_double_1d reached, state;
 double value, end, until;
 first = 400;
@@ -19416,8 +19410,8 @@ if (!(outside_by(value, order, lead) > 0.0)) {
 return 0;
 }
 end = span_min(span_max(value, *cspan_at(&lead, 12, order)), *cspan_at(&lead, 13, order));
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&state, i) = *cspan_at(&reached, i);
+for (i_0001 = 0; i_0001 < state.shape[0]; i_0001 += 1) {
+*cspan_at(&state, i_0001) = *cspan_at(&reached, i_0001);
 }
 last = lead_to(order, end, first, lead, timing, coefficients);
 if (last < 0) {
@@ -19559,7 +19553,7 @@ value = span_max(*cspan_at(&lead, 9, i), *cspan_at(&lead, 12, i));
 }
 }
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t smoothness, i, order, result;
+int64_t smoothness, i, order, i_0001, result;
 array_double_1d report;
 bool let_go;
 smoothness = limits.shape[0] - 1;
@@ -19569,8 +19563,8 @@ report = span_row(&lead, 14);
 if (!set_box(steep, loose, limits, lead)) {
 return -1;
 }
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 9, i) = *cspan_at(&lead, 7, i);
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 9, i_0001) = *cspan_at(&lead, 7, i_0001);
 }
 bring_highest(lead, timing, coefficients);
 let_go = whole || (loose <= smoothness);
@@ -19678,15 +19672,15 @@ keep_brake(whole, chosen, loose, limits, lead);
 return count;
 }
 int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t smoothness, i, kept, first, row, count;
+int64_t smoothness, kept, i, first, row, i_0001, count;
 array_double_1d report;
 smoothness = limits.shape[0] - 1;
 if ((smoothness < 2) || (smoothness > 6) || (coefficients.shape[1] != 2 * smoothness)) {
 return -1;
 }
 report = span_row(&lead, 14);
-for (i = 0; i < 27; i += 1) {
-*cspan_at(&report, i) = 0.0;
+for (i_0001 = 0; i_0001 < report.shape[0]; i_0001 += 1) {
+*cspan_at(&report, i_0001) = 0.0;
 }
 count = -1;
 kept = kept_brake(whole, limits, lead);
@@ -19799,11 +19793,11 @@ return result;
 }
 static int64_t settle_over_level(int64_t order, double end, double least, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, level;
-int64_t stage, i, count, seen, result;
+int64_t stage, count, seen, i, result;
 state = span_row(&lead, 16);
 level = span_row(&lead, 17);
 stage = level_order(order, lead);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 21, i) = 1e+300;
 }
 *cspan_at(&lead, 21, stage) = end;
@@ -19811,11 +19805,11 @@ row = settle(stage, row, lead, timing, coefficients);
 if ((row < 0) || (*cspan_at(&state, 8) >= least)) {
 return -1;
 }
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < level.shape[0]; i += 1) {
 *cspan_at(&level, i) = *cspan_at(&state, i);
 }
 count = passing_phases(order, least, row, lead, timing, coefficients);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < state.shape[0]; i += 1) {
 *cspan_at(&state, i) = *cspan_at(&level, i);
 }
 if (count == 0) {
@@ -19843,7 +19837,7 @@ return 1;
 }
 static void soonest_ends(int64_t order, array_double_2d lead) {
 int64_t i;
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 21, i) = 1e+300;
 }
 if (order == 1) {
@@ -19885,12 +19879,12 @@ result = total_duration(phases, count);
 return result;
 }
 static void time_anew(int64_t order, array_double_2d lead) {
-int64_t i;
 double rest, time;
+int64_t i;
 if ((order == 1) || (*cspan_at(&lead, 23, 0) < 0.0)) {
 return;
 }
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 16, i) = *cspan_at(&lead, 18, i);
 }
 rest = profile_time(0, lead);
@@ -19903,14 +19897,9 @@ static void keep_lead(int64_t last, double time, array_double_2d lead, array_dou
 int64_t first, row, i;
 first = 400;
 for (row = first; row < last; row += 1) {
-for (i = 0; i < 2; i += 1) {
-*cspan_at(&timing, row - first, i) = *cspan_at(&timing, row, i);
+copy_piece(timing, coefficients, row, timing, coefficients, row - first);
 }
-for (i = 0; i < coefficients.shape[1]; i += 1) {
-*cspan_at(&coefficients, row - first, i) = *cspan_at(&coefficients, row, i);
-}
-}
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 18, i) = *cspan_at(&lead, 16, i);
 *cspan_at(&lead, 22, i) = *cspan_at(&lead, 21, i);
 }
@@ -20025,7 +20014,7 @@ static double try_end(int64_t order, int64_t stage, double end, array_double_1d 
 double bound, result;
 int64_t i;
 bound = *cspan_at(&lead, 19, stage);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 21, i) = *cspan_at(&lead, 22, i);
 }
 *cspan_at(&lead, 21, stage) = span_min(span_max(end, -bound), bound);
@@ -20312,7 +20301,7 @@ settled = 0;
 return settled;
 }
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t first, last, tried, row, place, i;
+int64_t first, last, tried, row, place;
 double best;
 first = *cspan_at(&plan_offsets, axis);
 last = *cspan_at(&plan_offsets, axis + 1);
@@ -20326,26 +20315,16 @@ best = *cspan_at(&lead, 23, 0);
 if ((best >= 0.0) && (*cspan_at(&plan_timing, row, 0) >= best)) {
 break;
 }
-for (i = 0; i < 2; i += 1) {
-*cspan_at(&timing, place, i) = *cspan_at(&plan_timing, row, i);
-}
-for (i = 0; i < coefficients.shape[1]; i += 1) {
-*cspan_at(&coefficients, place, i) = *cspan_at(&plan_coefficients, row, i);
-}
+copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, place);
 if (settled_end(row, last, lead, plan_timing, plan_coefficients)) {
 tried = tried + 1;
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 21, i) = 1e+300;
-}
-if (order == 1) {
-*cspan_at(&lead, 21, order) = *cspan_at(&lead, 24, 2);
-}
+soonest_ends(order, lead);
 try_lead(order, place + 1, limits, lead, timing, coefficients);
 }
 }
 }
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead) {
-int64_t i;
+int64_t i, i_0001;
 segfmu_axis_limits(limits.shape[0] - 1, shape, limits, span_row(&lead, 59));
 set_lower(span_row(&lead, 60), span_row(&lead, 59));
 if (!segfmu_ramp_parameters(usual_share(span_row(&lead, 59)), span_row(&lead, 59), span_rows(&lead, 61, 68))) {
@@ -20354,8 +20333,8 @@ return 0;
 for (i = 1; i < limits.shape[0]; i += 1) {
 *cspan_at(&lead, 20, i) = rounding_error(i, limits);
 }
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 15, i) = *cspan_at(&lead, 7, i);
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 15, i_0001) = *cspan_at(&lead, 7, i_0001);
 }
 return 1;
 }
@@ -20374,9 +20353,9 @@ search_levels(order, found, limits, lead, timing, coefficients);
 return 1;
 }
 static bool search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t i, times;
+int64_t times, i;
 soonest_ends(order, lead);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 22, i) = *cspan_at(&lead, 21, i);
 }
 for (times = 0; times < 4; times += 1) {
@@ -20396,7 +20375,7 @@ if (leads_in(1e+300, lead) && (!jumps_often(lead))) {
 return;
 }
 time_anew(order, lead);
-for (i = 0; i < 9; i += 1) {
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 15, i) = *cspan_at(&lead, 7, i);
 }
 if (permits_levels(order, lead) && (!leads_in(within_0001, lead))) {
@@ -20423,24 +20402,24 @@ copy_piece(timing, coefficients, 2 * 400 + row, timing, coefficients, row);
 *cspan_at(&lead, 23, 1) = count + steps;
 }
 static void search_braked(int64_t order, double within_0001, int64_t shape, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
-int64_t i, repeat, steps;
-for (i = 0; i < 9; i += 1) {
+int64_t repeat, steps, i, i_0001;
+for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, 8, i) = *cspan_at(&lead, 7, i);
 }
 for (repeat = 0; repeat < 2; repeat += 1) {
 if (*cspan_at(&lead, 23, 0) < 0.0) {
 steps = segfmu_find_brake(repeat == 1, limits, lead, timing, coefficients);
 if (steps > 0) {
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 7, i) = *cspan_at(&lead, 9, i);
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 7, i_0001) = *cspan_at(&lead, 9, i_0001);
 }
 if (start_search(shape, limits, lead)) {
 if (!search_stages(order, within_0001, limits, lead, timing, coefficients)) {
 improve_lead(order, within_0001, limits, lead, timing, coefficients);
 }
 }
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 7, i) = *cspan_at(&lead, 8, i);
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 7, i_0001) = *cspan_at(&lead, 8, i_0001);
 }
 prepend_brake(steps, lead, timing, coefficients);
 }
@@ -20485,9 +20464,9 @@ for (i = 0; i < lead.shape[1]; i += 1) {
 }
 }
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead) {
-int64_t i;
-for (i = 0; i < 9; i += 1) {
-*cspan_at(&lead, 7, i) = 0.0;
+int64_t i, i_0001;
+for (i_0001 = 0; i_0001 < lead.shape[1]; i_0001 += 1) {
+*cspan_at(&lead, 7, i_0001) = 0.0;
 }
 for (i = 0; i < span_min_int(start.shape[1], 9); i += 1) {
 *cspan_at(&lead, 7, i) = *cspan_at(&start, axis, i);
@@ -22322,12 +22301,12 @@ return 1;
 bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d spare_timing, array_double_2d spare_coefficients) {
 array_double_2d check;
 double tolerance, joints;
-int64_t axis, i, wrong;
+int64_t axis, wrong, i;
 check = span_rows(&lead, 312, 360);
 tolerance = *cspan_at(&lead, 2, 0);
 joints = *cspan_at(&lead, 2, 1);
 for (axis = 0; axis < limits.shape[0]; axis += 1) {
-for (i = 0; i < 27; i += 1) {
+for (i = 0; i < brakes.shape[1]; i += 1) {
 *cspan_at(&brakes, axis, i) = 0.0;
 }
 }

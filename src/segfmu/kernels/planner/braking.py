@@ -20,7 +20,7 @@ from segfmu.kernels.planner.phases import (
 )
 from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.ramp_peak import ramp_extreme_velocity
-from segfmu.kernels.planner.records import Braking, Phase, PlanWork, Problem
+from segfmu.kernels.planner.records import Braking, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, reverse_axis, side_limit
 
 
@@ -195,8 +195,7 @@ def surround(
         first, duration, y, end = brake(v, problem[Problem.A], axis, trial, work)
         for j in range(count):
             i = count - 1 - j
-            for column in range(Phase.SIZE):
-                phases[first + i, column] = phases[i, column]
+            phases[first + i, :] = phases[i, :]
         copy_phases(trial, phases, first)
         count = first + count
     if variant >= 2:

@@ -39,8 +39,7 @@ def begin_dip(above: int, v: float, a: float, work: 'float[:,:]') -> None:
     passing[Passing.START] = 0.0
     sign = -1.0
     for i in range(above + 2):
-        for column in range(Node.SIZE):
-            work[PlanWork.NODES + i, column] = 0.0
+        work[PlanWork.NODES + i, :] = 0.0
         work[PlanWork.NODES + i, Node.SIGN] = sign
         sign = -sign
     work[PlanWork.NODES, Node.STATE + 1] = v

@@ -291,8 +291,7 @@ def fit_duration(phases: 'float[:,:]', count: int, target: float) -> int:
     for i in range(count):
         duration = phases[i, Phase.DURATION]
         if duration > SAME * target:
-            for j in range(Phase.SIZE):
-                phases[kept, j] = phases[i, j]
+            phases[kept, :] = phases[i, :]
             total = total + duration
             kept = kept + 1
     for i in range(kept):

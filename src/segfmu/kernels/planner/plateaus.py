@@ -16,20 +16,15 @@ NEW = 0.03
 
 def keep_sequence(row: int, work: 'float[:,:]') -> None:
     """Copy the sequence to the rows KEPT, FOUND or SOLVED of `work` (PlanWork), from `row` on."""
-    for i in range(Passing.SIZE):
-        work[row, i] = work[PlanWork.PASSING, i]
-    for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
-        for i in range(Node.SIZE):
-            work[row + 1 + j, i] = work[PlanWork.NODES + j, i]
+    # itself, its nodes, the end and the state there
+    for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 3):
+        work[row + j, :] = work[PlanWork.PASSING + j, :]
 
 
 def restore_sequence(row: int, work: 'float[:,:]') -> None:
     """Copy it back."""
-    for i in range(Passing.SIZE):
-        work[PlanWork.PASSING, i] = work[row, i]
-    for j in range(int(work[PlanWork.PASSING, Passing.COUNT]) + 2):
-        for i in range(Node.SIZE):
-            work[PlanWork.NODES + j, i] = work[row + 1 + j, i]
+    for j in range(int(work[row, Passing.COUNT]) + 3):
+        work[PlanWork.PASSING + j, :] = work[row + j, :]
 
 
 def insert_node(
@@ -41,8 +36,7 @@ def insert_node(
     shift_instants(place, 1, passing)
     for j in range(count - place):
         row = PlanWork.NODES + count - j
-        for i in range(Node.SIZE):
-            work[row, i] = work[row - 1, i]
+        work[row, :] = work[row - 1, :]
     row = PlanWork.NODES + place
     work[row, Node.KIND] = kind
     work[row, Node.SIGN] = sign
@@ -67,8 +61,7 @@ def remove_node(place: int, work: 'float[:,:]') -> None:
     passing = work[PlanWork.PASSING, :]
     count = int(passing[Passing.COUNT])
     for row in range(PlanWork.NODES + place, PlanWork.NODES + count - 1):
-        for i in range(Node.SIZE):
-            work[row, i] = work[row + 1, i]
+        work[row, :] = work[row + 1, :]
     passing[Passing.COUNT] = count - 1
     shift_instants(place + 1, -1, passing)
 

@@ -101,8 +101,7 @@ def short_window(
         return early_window(duration, problem, axis)
     if min(abs(a), abs(b)) > SMALL * max(abs(a), abs(b)):
         return 0.0
-    for i in range(Problem.SIZE):
-        rest[i] = problem[i]
+    rest[:] = problem
     if abs(a) < abs(b):
         spent, slope = ramp_duration(abs(a), axis)
         distance = ramp_distance(problem[Problem.V], a, 0.0, spent, spent, axis)

@@ -80,9 +80,8 @@ def lead_to(
         row = hold_highest(top, length, row, lead, timing, coefficients)
         state[order] = end
         return row
-    for i in range(Chain.SIZE):
-        lead[LeadWork.START, i] = state[i]
-        lead[LeadWork.ENDS, i] = NEVER
+    lead[LeadWork.START, :] = state
+    lead[LeadWork.ENDS, :] = NEVER
     lead[LeadWork.ENDS, order] = end
     return settle(order, row, lead, timing, coefficients)
 
@@ -218,13 +217,11 @@ def turn_round(
     state = lead[LeadWork.STATE, :]
     turn = lead[LeadWork.TURN, :]
     row = int(LeadRows.PIECES)
-    for i in range(Chain.SIZE):
-        state[i] = lead[LeadWork.BRAKED, i]
+    state[:] = lead[LeadWork.BRAKED, :]
     if settled and order + 2 <= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
         row = lead_to(order + 2, 0.0, row, lead, timing, coefficients)
     row = lead_to(order + 1, level, row, lead, timing, coefficients)
-    for i in range(Chain.SIZE):
-        turn[i] = state[i]
+    turn[:] = state
     last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
     far = lead[LeadWork.HIGHEST, order] if side < 0.0 else lead[LeadWork.LOWEST, order]
     return row, last, side * (state[order] - far)
@@ -260,8 +257,7 @@ def try_brake(
         # held until the derivative is inside, unless it has to be let go before
         near = lead[LeadWork.LOWEST, order] if side < 0.0 else lead[LeadWork.HIGHEST, order]
         hold = min(side * (turn[order] - near), room) / abs(level)
-        for i in range(Chain.SIZE):
-            state[i] = turn[i]
+        state[:] = turn
         row = hold_highest(0.0, hold, row, lead, timing, coefficients)
         last = lead_to(order + 1, 0.0, row, lead, timing, coefficients)
     if last < 0 or outside_by(state[order], order, lead) > 0.0:

@@ -25,7 +25,7 @@ from segfmu.kernels.settling.brake_pieces import (
 from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.inside import bring_highest, bring_inside
 from segfmu.kernels.settling.kept_brakes import keep_brake, kept_brake
-from segfmu.kernels.settling.records import Chain, KeptBrake, LeadRows, LeadWork
+from segfmu.kernels.settling.records import KeptBrake, LeadRows, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 
 # derivatives that nothing limits are raised so often, as long as the time of a brake becomes less
@@ -57,8 +57,7 @@ def brake_within(
     report[Brake.COUNT] = 0.0
     if not set_box(steep, loose, limits, lead):
         return -1
-    for i in range(Chain.SIZE):
-        lead[LeadWork.BRAKED, i] = lead[LeadWork.NOW, i]
+    lead[LeadWork.BRAKED, :] = lead[LeadWork.NOW, :]
     bring_highest(lead, timing, coefficients)
     let_go = whole or loose <= smoothness
     for i in range(1, smoothness):
@@ -128,8 +127,7 @@ def find_brake(
     if smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
         return -1
     report = lead[LeadWork.BRAKE, :]
-    for i in range(Brake.SIZE):
-        report[i] = 0.0
+    report[:] = 0.0
     count = -1
     kept = kept_brake(whole, limits, lead)
     if kept < 0:

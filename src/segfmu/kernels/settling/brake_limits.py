@@ -5,7 +5,7 @@ from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usua
 from segfmu.kernels.planner.records import Axis, Lower, Shape
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.chain import chain_limits, set_chains
-from segfmu.kernels.settling.records import Chain, LeadWork
+from segfmu.kernels.settling.records import LeadWork
 from segfmu.kernels.trajectory.check import rounding_error
 
 
@@ -25,8 +25,7 @@ def set_box(steep: float, loose: int, limits: 'float[:]', lead: 'float[:,:]') ->
             axis[Axis.VELOCITY + i - 1] = max(limits[i - 1], abs(lead[LeadWork.NOW, i]))
     if not ramp_parameters(usual_share(axis), axis, lead[LeadWork.CHAINS:LeadWork.PLAN, :]):
         return False
-    for i in range(Chain.SIZE):
-        state[i] = 0.0
+    state[:] = 0.0
     for i in range(1, smoothness + 1):
         lead[LeadWork.ROUNDING, i] = rounding_error(i, limits)
         if limits[i - 1] <= 0.0:

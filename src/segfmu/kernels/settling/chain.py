@@ -80,8 +80,7 @@ def set_chains(
     smoothness = int(axis[Axis.SMOOTHNESS])
     for order in range(smoothness - 1):
         chain = chains[order, :]
-        for i in range(Axis.SIZE):
-            chain[i] = 0.0
+        chain[:] = 0.0
         chain[Axis.SMOOTHNESS] = smoothness - order
         chain[Axis.SHAPE] = Shape.PLATEAU
         chain[Axis.RAISED] = order

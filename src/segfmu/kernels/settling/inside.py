@@ -111,8 +111,7 @@ def side_beyond(
     reached = lead[LeadWork.BRAKED, :]
     low = lead[LeadWork.LOWEST, order]
     first = int(LeadRows.PIECES)
-    for i in range(Chain.SIZE):
-        state[i] = reached[i]
+    state[:] = reached
     last = lead_to(order + 1, 0.0, first, lead, timing, coefficients)
     for i in range(2):
         value = reached[order] if i == 1 else state[order]
@@ -131,8 +130,7 @@ def bring_highest(
     value = lead[LeadWork.BRAKED, order]
     end = min(max(value, lead[LeadWork.LOWEST, order]), lead[LeadWork.HIGHEST, order])
     if outside_by(value, order, lead) > 0.0:
-        for i in range(Chain.SIZE):
-            lead[LeadWork.STATE, i] = lead[LeadWork.BRAKED, i]
+        lead[LeadWork.STATE, :] = lead[LeadWork.BRAKED, :]
         last = lead_to(order, end, int(LeadRows.PIECES), lead, timing, coefficients)
         until = lead[LeadWork.STATE, Chain.TIME]
         append_pieces(until, last, lead, timing, coefficients)
@@ -151,8 +149,7 @@ def bring_gently(
     if not outside_by(value, order, lead) > 0.0:
         return False
     end = min(max(value, lead[LeadWork.LOWEST, order]), lead[LeadWork.HIGHEST, order])
-    for i in range(Chain.SIZE):
-        state[i] = reached[i]
+    state[:] = reached
     last = lead_to(order, end, first, lead, timing, coefficients)
     if last < 0:
         return False

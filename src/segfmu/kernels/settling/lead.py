@@ -8,7 +8,6 @@ limits is brought inside first (brake.py).
 
 from segfmu.kernels.numerics.numbers import EQUAL, EXCEEDED, NEVER
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
-from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
@@ -73,16 +72,10 @@ def follow_plan(
         best = lead[LeadWork.BEST, Lead.TIME]
         if best >= 0.0 and plan_timing[row, Timing.START] >= best:
             break
-        for i in range(Timing.SIZE):
-            timing[place, i] = plan_timing[row, i]
-        for i in range(coefficients.shape[1]):
-            coefficients[place, i] = plan_coefficients[row, i]
+        copy_piece(plan_timing, plan_coefficients, row, timing, coefficients, place)
         if settled_end(row, last, lead, plan_timing, plan_coefficients):
             tried = tried + 1
-            for i in range(Chain.SIZE):
-                lead[LeadWork.ENDS, i] = NEVER
-            if order == 1:
-                lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
+            soonest_ends(order, lead)
             try_lead(order, place + 1, limits, lead, timing, coefficients)
 
 
@@ -151,8 +144,7 @@ def start_search(shape: int, limits: 'float[:]', lead: 'float[:,:]') -> bool:
         return False
     for i in range(1, limits.shape[0]):
         lead[LeadWork.ROUNDING, i] = rounding_error(i, limits)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
+    lead[LeadWork.START, :] = lead[LeadWork.NOW, :]
     return True
 
 
@@ -191,8 +183,7 @@ def search_stages(
     Then other ends and levels gain nothing worth their time.
     """
     soonest_ends(order, lead)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
+    lead[LeadWork.BEST_ENDS, :] = lead[LeadWork.ENDS, :]
     for times in range(STEEPEST):
         if not try_steeper(order, within, times, limits, lead, timing, coefficients):
             break
@@ -217,8 +208,7 @@ def improve_lead(
     if leads_in(NEVER, lead) and not jumps_often(lead):
         return
     time_anew(order, lead)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.START, i] = lead[LeadWork.NOW, i]
+    lead[LeadWork.START, :] = lead[LeadWork.NOW, :]
     if permits_levels(order, lead) and not leads_in(within, lead):
         search_levels(order, NEVER, limits, lead, timing, coefficients)
 
@@ -233,19 +223,16 @@ def search_braked(
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead behind a brake, or, if there is none, behind one that lets go."""
-    for i in range(Chain.SIZE):
-        lead[LeadWork.GIVEN, i] = lead[LeadWork.NOW, i]
+    lead[LeadWork.GIVEN, :] = lead[LeadWork.NOW, :]
     for repeat in range(2):
         if lead[LeadWork.BEST, Lead.TIME] < 0.0:
             steps = find_brake(repeat == 1, limits, lead, timing, coefficients)
             if steps > 0:
-                for i in range(Chain.SIZE):
-                    lead[LeadWork.NOW, i] = lead[LeadWork.BRAKED, i]
+                lead[LeadWork.NOW, :] = lead[LeadWork.BRAKED, :]
                 if start_search(shape, limits, lead):
                     if not search_stages(order, within, limits, lead, timing, coefficients):
                         improve_lead(order, within, limits, lead, timing, coefficients)
-                for i in range(Chain.SIZE):
-                    lead[LeadWork.NOW, i] = lead[LeadWork.GIVEN, i]
+                lead[LeadWork.NOW, :] = lead[LeadWork.GIVEN, :]
                 prepend_brake(steps, lead, timing, coefficients)
 
 

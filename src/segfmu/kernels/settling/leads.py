@@ -25,16 +25,14 @@ from segfmu.kernels.trajectory.records import Brake
 def clear_search(lead: 'float[:,:]') -> None:
     """Clear what a search writes before it reads, so that nothing depends on what was before."""
     for row in range(LeadWork.NOW, LeadWork.PLAN):
-        for i in range(lead.shape[1]):
-            lead[row, i] = 0.0
+        lead[row, :] = 0.0
 
 
 def set_start(
     axis: int, start: 'float[:,:]', lower: 'float[:,:]', lead: 'float[:,:]'
 ) -> None:
     """Set the state of an axis, and its limits in the negative direction, in the work space."""
-    for i in range(Chain.SIZE):
-        lead[LeadWork.NOW, i] = 0.0
+    lead[LeadWork.NOW, :] = 0.0
     for i in range(min(start.shape[1], Chain.SIZE)):
         lead[LeadWork.NOW, i] = start[axis, i]
     for i in range(Lower.SIZE):

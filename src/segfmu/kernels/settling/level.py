@@ -86,17 +86,14 @@ def settle_over_level(
     state = lead[LeadWork.STATE, :]
     level = lead[LeadWork.LEVEL, :]
     stage = level_order(order, lead)
-    for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = NEVER
+    lead[LeadWork.ENDS, :] = NEVER
     lead[LeadWork.ENDS, stage] = end
     row = settle(stage, row, lead, timing, coefficients)
     if row < 0 or state[Chain.TIME] >= least:
         return -1
-    for i in range(Chain.SIZE):
-        level[i] = state[i]
+    level[:] = state
     count = passing_phases(order, least, row, lead, timing, coefficients)
-    for i in range(Chain.SIZE):
-        state[i] = level[i]
+    state[:] = level
     if count == 0:
         return -1
     seen = LeadStage.ACCELERATION - order

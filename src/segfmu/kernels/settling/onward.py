@@ -25,7 +25,7 @@ from segfmu.kernels.settling.records import (
 from segfmu.kernels.trajectory.check import check_braked_plan, check_plan
 from segfmu.kernels.trajectory.cut import join_plans
 from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
-from segfmu.kernels.trajectory.records import Brake, Judging
+from segfmu.kernels.trajectory.records import Judging
 
 
 def lead_to_plan(lead: 'float[:,:]') -> None:
@@ -97,8 +97,7 @@ def judge_pieces(
     tolerance = lead[LeadWork.JUDGING, Judging.TOLERANCE]
     joints = lead[LeadWork.JUDGING, Judging.JOINTS]
     for axis in range(limits.shape[0]):
-        for i in range(Brake.SIZE):
-            brakes[axis, i] = 0.0
+        brakes[axis, :] = 0.0
     wrong = check_plan(
         states, times, timing, coefficients, offsets, limits, lower, tolerance, joints, check
     )

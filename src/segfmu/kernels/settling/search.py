@@ -11,7 +11,7 @@ ramps alone, which are found sooner.
 from segfmu.kernels.numerics.numbers import EQUAL, FINE, NEVER
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.settling.chain import STEEPER
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
+from segfmu.kernels.settling.records import Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.trial import (
     is_settled,
     set_limits,
@@ -44,8 +44,7 @@ def try_end(
 ) -> float:
     """`try_lead` with the ends of the best lead, but one of them changed."""
     bound = lead[LeadWork.LIMITS, stage]
-    for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = lead[LeadWork.BEST_ENDS, i]
+    lead[LeadWork.ENDS, :] = lead[LeadWork.BEST_ENDS, :]
     lead[LeadWork.ENDS, stage] = min(max(end, -bound), bound)
     return try_lead(order, LeadRows.PIECES, limits, lead, timing, coefficients)
 

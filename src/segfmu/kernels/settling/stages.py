@@ -148,8 +148,7 @@ def settle_above(
 ) -> int:
     """The same without the last stage."""
     smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
-    for i in range(Chain.SIZE):
-        lead[LeadWork.STATE, i] = lead[LeadWork.START, i]
+    lead[LeadWork.STATE, :] = lead[LeadWork.START, :]
     for i in range(2):
         stage = order + 4 - 2 * i
         if stage < smoothness and row >= 0:

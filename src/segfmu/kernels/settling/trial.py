@@ -11,8 +11,8 @@ from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.stages import append_phases, settle, settle_above, stage_phases
 from segfmu.kernels.trajectory.check import check_axis, keep_inside
+from segfmu.kernels.trajectory.cut import copy_piece
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
-from segfmu.kernels.trajectory.records import Timing
 
 
 def set_limits(steep: float, lead: 'float[:,:]') -> None:
@@ -32,8 +32,7 @@ def is_settled(lead: 'float[:,:]') -> bool:
 
 def soonest_ends(order: int, lead: 'float[:,:]') -> None:
     """Let all stages end as soon as possible, but the last one at the velocity, if it is one."""
-    for i in range(Chain.SIZE):
-        lead[LeadWork.ENDS, i] = NEVER
+    lead[LeadWork.ENDS, :] = NEVER
     if order == LeadStage.VELOCITY:
         lead[LeadWork.ENDS, order] = lead[LeadWork.TARGET, Problem.W]
 
@@ -71,8 +70,7 @@ def time_anew(order: int, lead: 'float[:,:]') -> None:
     """Let the best lead be followed by the planner's profile, no more by that of ramps alone."""
     if order == LeadStage.VELOCITY or lead[LeadWork.BEST, Lead.TIME] < 0.0:
         return
-    for i in range(Chain.SIZE):
-        lead[LeadWork.STATE, i] = lead[LeadWork.REACHED, i]
+    lead[LeadWork.STATE, :] = lead[LeadWork.REACHED, :]
     rest = profile_time(False, lead)
     if rest >= 0.0:
         time = lead[LeadWork.STATE, Chain.TIME] + rest
@@ -85,13 +83,9 @@ def keep_lead(
     """Keep the lead in the second half of the arrays as the best one."""
     first = LeadRows.PIECES
     for row in range(first, last):
-        for i in range(Timing.SIZE):
-            timing[row - first, i] = timing[row, i]
-        for i in range(coefficients.shape[1]):
-            coefficients[row - first, i] = coefficients[row, i]
-    for i in range(Chain.SIZE):
-        lead[LeadWork.REACHED, i] = lead[LeadWork.STATE, i]
-        lead[LeadWork.BEST_ENDS, i] = lead[LeadWork.ENDS, i]
+        copy_piece(timing, coefficients, row, timing, coefficients, row - first)
+    lead[LeadWork.REACHED, :] = lead[LeadWork.STATE, :]
+    lead[LeadWork.BEST_ENDS, :] = lead[LeadWork.ENDS, :]
     lead[LeadWork.BEST, Lead.TIME] = time
     lead[LeadWork.BEST, Lead.COUNT] = last - first
 
