@@ -42,8 +42,7 @@ def require_positions(trajectory: Trajectory, allowed: FloatArray) -> None:
     for name, bounds, reached, sign in (
         ("position_min", allowed[:, 0], low, -1.0), ("position_max", allowed[:, 1], high, 1.0),
     ):
-        known = np.where(np.isfinite(bounds), np.abs(bounds), 0.0)
-        margin = 1e-12 * np.maximum(known, 1.0)
+        margin = position_margin(bounds)
         for axis in np.flatnonzero(sign * (reached - bounds) > margin).tolist():
             time = _reached(trajectory, axis, 0, sign)
             value, bound = float(reached[axis]), float(bounds[axis])
@@ -53,6 +52,13 @@ def require_positions(trajectory: Trajectory, allowed: FloatArray) -> None:
                 f"{bound:.{digits}g} m; move the waypoints or slow them down"
             )
             raise _beyond(trajectory, axis, name, value, bound, time, text)
+
+
+def position_margin(bounds: FloatArray) -> FloatArray:
+    """By how much rounding may exceed bounds of a position [m], any shape."""
+    known = np.where(np.isfinite(bounds), np.abs(bounds), 0.0)
+    margin: FloatArray = 1e-12 * np.maximum(known, 1.0)
+    return margin
 
 
 def _beyond(

@@ -1,7 +1,8 @@
 """`plan`: waypoints and limits in, a verified trajectory out (section 3 of the paper).
 
 request.py checks the arguments; free.py chooses the free states; problem.py and solver.py plan the
-phases and expand them to polynomials; verify.py checks the trajectory.
+phases and expand them to polynomials; verify.py checks the trajectory; within.py keeps it in a
+range of positions.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from segfmu.planning.request import Request, checked_request, position_range
 from segfmu.planning.solver import solve
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
+from segfmu.planning.within import kept_within
 
 
 def plan(
@@ -62,6 +64,7 @@ def plan(
         last it, also where the longest one does already.
     position_min, position_max : array_like, scalar or shape (axes,), optional
         Range that no axis may leave [m]; None or infinity for no bound of an axis. Checked exactly.
+        An interval may take longer to stay inside, unless `duration` is given.
     axis_names : sequence of str, optional
         Names for messages; x, y, z by default.
     overshoot : float
@@ -92,19 +95,30 @@ def plan(
     allowed = position_range(position_min, position_max, len(request.axis_names))
     chosen = choose_states(request, _share("overshoot", overshoot), progress, allowed)
     trajectory = planned(chosen)
-    return trajectory if allowed is None else _within(allowed, trajectory, request)
+    return trajectory if allowed is None else _within(allowed, trajectory, chosen, request)
 
 
-def _within(allowed: FloatArray, trajectory: Trajectory, request: Request) -> Trajectory:
-    """The trajectory if it keeps the range of the positions, else the one with rest in between."""
-    try:
-        require_positions(trajectory, allowed)
-    except InfeasibleError:
-        if not request.free:
-            raise
-        trajectory = planned(at_rest(request))
-        require_positions(trajectory, allowed)
-    return trajectory
+def _within(
+    allowed: FloatArray, trajectory: Trajectory, chosen: Request, request: Request
+) -> Trajectory:
+    """The trajectory if it keeps the range of the positions, else one with splines that does.
+
+    Where that fails, too, the one with rest at waypoints that are free.
+    """
+    found = trajectory
+    for tried in (chosen, *([at_rest(request)] if request.free else [])):
+        if tried is not chosen:
+            found = planned(tried)
+        try:
+            require_positions(found, allowed)
+        except InfeasibleError as error:
+            inside = kept_within(found, tried, allowed)
+            refused = error
+        else:
+            inside = found
+        if inside is not None:
+            return inside
+    raise refused
 
 
 def planned(
