@@ -29,7 +29,7 @@ from segfmu.kernels.limits.records import LimitRow
 from segfmu.planning.clearance import Clearance
 from segfmu.planning.limits import NAMES, Limits, limited
 from segfmu.planning.planner import plan
-from segfmu.planning.request import checked_request
+from segfmu.planning.request import checked_request, position_range
 from segfmu.planning.trajectory import Trajectory
 from segfmu.planning.waypoint import Waypoint
 
@@ -135,16 +135,17 @@ def plan_actuated(
     require_flat(crane, len(request.axis_names), smoothness)
     _require_judged(crane, smoothness, clearance)
     resistance(crane, friction)
-    options |= {"position_min": position_min, "position_max": position_max}
+    within: dict[str, Any] = {"position_min": position_min, "position_max": position_max}
     refusal: InfeasibleError | None = None
     if limits is not None:
         found, refusal = _as_limited(
             crane, bounds, friction, clearance,
-            lambda: plan(waypoints, limits, **options, **timing),
+            lambda: plan(waypoints, limits, **options, **within, **timing),
         )
         if found is not None:
             return found
-    task = _task(crane, request.waypoints, limits, bounds, options, clearance, friction)
+    allowed = position_range(position_min, position_max, len(request.axis_names))
+    task = _task(crane, request.waypoints, limits, bounds, options, allowed, clearance, friction)
     try:
         _require_states(task, bounds)
         require_start(task, bounds)
@@ -222,12 +223,13 @@ def _measured_taut(
 
 def _task(
     crane: AnyCrane, waypoints: tuple[Waypoint, ...], limits: Limits | None,
-    bounds: ActuatorBounds, options: dict[str, Any], clearance: Clearance | None,
-    friction: Friction,
+    bounds: ActuatorBounds, options: dict[str, Any], allowed: FloatArray | None,
+    clearance: Clearance | None, friction: Friction,
 ) -> Task:
     caps, higher = _caps(limits)
     return Task(
-        crane, waypoints, bounds.record, caps, higher, options, clearance, friction, bounds.lag
+        crane, waypoints, bounds.record, caps, higher, options, clearance, friction, bounds.lag,
+        allowed=allowed,
     )
 
 

@@ -17,6 +17,7 @@ from segfmu.crane.kinds import AnyCrane
 from segfmu.errors import InfeasibleError
 from segfmu.kernels import backend
 from segfmu.kernels.limits.records import AxisTask, Heading, LimitRow
+from segfmu.planning.demands import require_positions
 from segfmu.planning.excursions import first_excursion
 from segfmu.planning.limits import Limits
 from segfmu.planning.planner import plan
@@ -58,6 +59,8 @@ class Task:
         Whether the smaller bounds and limits of both directions hold in both.
     rests : bool
         Whether the load rests where states are free.
+    allowed : ndarray, shape (3, 2), optional
+        Range of the positions [m], which the profiles keep, without splines.
     """
 
     crane: AnyCrane
@@ -71,6 +74,7 @@ class Task:
     lag: FloatArray
     narrow: bool = False
     rests: bool = False
+    allowed: FloatArray | None = None
 
     @cached_property
     def positions(self) -> FloatArray:
@@ -191,7 +195,10 @@ class Task:
             states = self.states.copy()
             backend.write_states(unknowns, self.kinds, table, self.place, self.heading, states)
             points = with_states(self.waypoints, states, self._dwells)
-        return plan(points, self._limits(table), **self.options)
+        found = plan(points, self._limits(table), **self.options)
+        if self.allowed is not None:
+            require_positions(found, self.allowed)
+        return found
 
     def require_taut(self, trajectory: Trajectory) -> None:
         """Refuse a plan whose rope goes slack or leaves its range."""
