@@ -150,9 +150,9 @@ model GantryFeedforward "Plans the motion of a crane's load through waypoints wi
   parameter Real command_distance_y(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, y" annotation(Dialog(tab = "command"));
   parameter Real command_distance_z(unit = "m", min = 0.0, max = 1000000.0) = 0.01 "way of a push in the mode inching, z" annotation(Dialog(tab = "command"));
   parameter Boolean command_take_over = false "begin in the measured state and bring the load to rest, or to the target; each time that it becomes true, and at the start" annotation(Dialog(tab = "command"));
-  parameter Real measured_bridge_position(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_trolley_position(unit = "m", min = -1000000.0, max = 1000000.0) = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
-  parameter Real measured_rope_length(unit = "m", min = -1000000.0, max = 1000000.0) = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_bridge_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_trolley_position(unit = "m", min = -1e+20, max = 1e+20) = 0.0 "measured trolley.position, for command.take_over" annotation(Dialog(tab = "measured"));
+  parameter Real measured_rope_length(unit = "m", min = -1e+20, max = 1e+20) = 1.0 "measured rope.length, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_sway_x_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.x.angle, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_sway_y_angle(unit = "rad", displayUnit = "deg", min = -1e+20, max = 1e+20) = 0.0 "measured sway.y.angle, for command.take_over" annotation(Dialog(tab = "measured"));
   parameter Real measured_bridge_velocity(unit = "m/s", min = -1e+20, max = 1e+20) = 0.0 "measured bridge.velocity, for command.take_over" annotation(Dialog(tab = "measured"));
@@ -425,7 +425,7 @@ protected
   constant Integer input_references[0] = fill(0, 0);
   Real inputs[0] = fill(0.0, 0);
   FMI.Instance fmu = FMI.Instance(folder, "GantryFeedforward", getInstanceName(),
-      "{216ff696-4caf-858b-bbde-04e12708b110}", 0);
+      "{a9555e33-895f-d5c7-82ce-310228284930}", 0);
   final parameter Real started(fixed = false) "the FMU has its parameters";
   final parameter Real begun(fixed = false) "the FMU is initialised";
   Real x[0] "states of the FMU";

@@ -99,6 +99,14 @@ def test_bad_parameters_end_initialisation_with_the_reason(
         assert words in str(caught.value)
 
 
+def test_a_start_beyond_the_last_time_is_refused(fmus: tuple[Path, Path]) -> None:
+    for path in fmus:
+        with load(path) as unit:
+            unit.enter_initialization(2e9, 3e9)
+            with pytest.raises(SimulationError, match="the start time must be within"):
+                unit.exit_initialization()
+
+
 def test_a_least_bound_of_a_drive_is_not_above_zero(fmus: tuple[Path, Path]) -> None:
     with load(fmus[1]) as unit:
         unit.set({"drive.hoist.velocity_min": 0.5})
@@ -142,6 +150,8 @@ def test_steps_that_are_none_are_refused(fmus: tuple[Path, Path], which: int) ->
         ([(0.0, 0.1), (0.1, 0.05)], "longer than 0 s"), ([(0.0, 0.0)], "longer than 0 s"),
         ([(0.0, 0.1), (0.7, 0.8)], r"the next step begins at 0\.1 s, not at 0\.7 s"),
         ([(0.0, float("nan"))], "got nan s"),
+        ([(0.0, 1e300)], r"the end of the step must be within 1e\+09 s of 0, got 1e\+300 s"),
+        ([(0.0, 0.1), (0.1, 0.1 + 1e-15)], "below the resolution of the time at 0.1 s"),
     ):
         with load(fmus[which]) as unit:
             unit.set({"force.hoist": -9.81} if which else {})

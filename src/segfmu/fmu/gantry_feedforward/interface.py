@@ -94,15 +94,14 @@ def _measured() -> list[Variable]:
     units = {"position": "m", "length": "m", "angle": "rad", "velocity": "m/s", "rate": "rad/s"}
     for name in MEASURED:
         unit = units[name.rpartition(".")[2]]
-        most = FARTHEST if unit == "m" else LARGEST
         rows.append(
             command(
                 f"measured.{name}",
                 1.0 if name == "rope.length" else 0.0,
                 unit,
                 f"measured {name}, for command.take_over",
-                minimum=-most,
-                maximum=most,
+                minimum=-LARGEST,
+                maximum=LARGEST,
             )
         )
     return rows

@@ -30,6 +30,9 @@ KINDS = {
 }
 # of times that are the same, relative
 SAME = 1e-9
+# s; the last time, and of one to which a step was added, relative to it: those of native FMUs
+LATEST = 1e9
+ROUNDING = 1e-14
 
 
 class SpecSlave(Fmi2Slave):  # type: ignore[misc]
@@ -101,6 +104,7 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
     def compute(self, follow: Callable[[], None]) -> None:
         """Check all ranges and compute what follows; the log says why that fails."""
         try:
+            _require_time("the start time", self.start_time)
             self._require_ranges()
             follow()
         except SegfmuError as error:
@@ -131,6 +135,11 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             raise SimulationError(f"the next step begins at {now:.9g} s, not at {time:.9g} s")
         if not 0.0 < step < inf:
             raise SimulationError(f"a step lasts longer than 0 s and ends, got {step:g} s")
+        _require_time("the end of the step", time + step)
+        if not time + step > time + ROUNDING * (1.0 + abs(time)):
+            raise SimulationError(
+                f"a step of {step:g} s is below the resolution of the time at {time:.9g} s"
+            )
 
     def _require_ranges(self) -> None:
         """Raise InputError for a parameter outside the range that the specification gives."""
@@ -169,8 +178,6 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
         fault = None
         if self._now is not None:
             fault = _range_fault(variable, value)
-            if not isfinite(value):
-                fault = f"{variable.name} must be finite, got {value:g}"
         if fault is not None:
             signal = variable.causality == "input"
             refused = "input refused" if signal else "tuning refused"
@@ -212,7 +219,9 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
 
 
 def _range_fault(variable: Variable, value: float) -> str | None:
-    """What is wrong with a value outside of its variable's range."""
+    """What is wrong with a value outside of its variable's range, or with one that is no number."""
+    if not isfinite(value):
+        return f"{variable.name} must be finite, got {value:g}"
     least, most = variable.minimum, variable.maximum
     if variable.enumeration is not None:
         least, most = 1, len(variable.enumeration.items)
@@ -225,3 +234,9 @@ def _range_fault(variable: Variable, value: float) -> str | None:
     if status == RangeStatus.INSIDE:
         return None
     return f"{variable.name} {RANGE.text(status, fault.tolist())}"
+
+
+def _require_time(what: str, time: float) -> None:
+    """Raise SimulationError for a time that has no digits for a clock behind it."""
+    if not abs(time) <= LATEST:
+        raise SimulationError(f"{what} must be within {LATEST:g} s of 0, got {time:.15g} s")
