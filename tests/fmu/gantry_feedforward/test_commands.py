@@ -104,6 +104,24 @@ def test_an_fmu_moves_as_the_operator_does(archive, name: str, seeds: int) -> No
         assert operator.plans > 5
 
 
+@pytest.mark.parametrize("step", [0.03, 0.3])
+def test_the_next_event_of_a_commanded_motion_is_never_past(archive, step: float) -> None:
+    """A new plan has events within the step that begins it, and may end there."""
+    velocities = ([0.3, 0.1, 0.0], [-0.2, 0.0, 0.1], [0.0, 0.0, 0.0])
+    with Importer(archive) as fmu:
+        fmu.set(arrays(fmu, parameters(LAB)))
+        fmu.initialise()
+        for i in range(120):
+            wished = velocities[i // 7 % 3]
+            fmu.set({"command.mode": MODES["velocity"]}
+                    | {f"command.velocity.{a}": v for a, v in zip("xyz", wished, strict=True)})
+            fmu.step(step * i, step)
+            (following,), load = fmu.get("plan.next_event"), fmu.get(*LOAD[3:])
+            done = flag(fmu, "plan.done")
+            assert following > step * (i + 1) - 1e-9 or done
+            assert done or np.abs(load).max() > 0.0
+
+
 @pytest.mark.parametrize("fmi", [2, 3])
 def test_a_state_in_the_middle_goes_on_bit_for_bit(native_fmus, fmi: int) -> None:
     wanted = chosen(LAB, 3, 120)
@@ -168,7 +186,6 @@ def test_a_mission_is_left_for_a_stop(archive) -> None:
     ({"friction.trolley.coulomb": 1.0}, "friction.trolley: no command can be followed"),
     ({"command.target.x": 1e300}, "command.target.x must be at least -1e+06 and at most 1e+06"),
     ({"waypoint[2].position.y": 1.1e6}, "must be at least -1e+06 and at most 1e+06, got 1100000"),
-    ({"measured.trolley.position": -1.1e6}, "measured.trolley.position must be at least -1e+06"),
     ({"command.distance.z": 1.1e6}, "command.distance.z must be at least 0 and at most 1e+06"),
 ])
 def test_what_is_in_the_way_of_commands_is_told(archive, values, words: str) -> None:

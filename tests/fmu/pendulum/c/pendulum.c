@@ -89,9 +89,10 @@ static void slope_at(const pendulum *m, double time, const double last[], double
     rates(state, input, m->base.real[V_CRANE_GRAVITY], found);
 }
 
-bool model_advance(model *base, double time, char message[MESSAGE])
+bool model_advance(model *base, double *reached, char message[MESSAGE])
 {
     pendulum *m = (pendulum *)base;
+    const double time = *reached;
     double now = base->real[V_TIME], steps = ceil((time - now) / LONGEST_STEP);
     double step = (time - now) / steps;
     (void)message;

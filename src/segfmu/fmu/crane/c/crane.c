@@ -199,9 +199,10 @@ static int64_t step_to(crane *m, double time)
         vector(m->setpoints, SETPOINTS_SIZE), time - m->base.real[V_TIME], memory_of(m));
 }
 
-bool model_advance(model *base, double time, char message[MESSAGE])
+bool model_advance(model *base, double *reached, char message[MESSAGE])
 {
     crane *m = (crane *)base;
+    const double time = *reached;
     if (!crane_replace(m, message) || (base->tuned && !crane_set_gains(m, message))) {
         return false;
     }

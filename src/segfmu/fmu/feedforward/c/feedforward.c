@@ -199,14 +199,14 @@ static void begin_lead(feedforward *m, char message[MESSAGE])
     }
 }
 
-bool model_advance(model *base, double time, char message[MESSAGE])
+bool model_advance(model *base, double *reached, char message[MESSAGE])
 {
     feedforward *m = (feedforward *)base;
-    (void)time;
     begin_lead(m, message);
     if (m->operates && base->real[V_TIME] == base->step_start) {
         follow_command(m, base->step_end - base->step_start, message);
         note_event(m);
+        *reached = fmin(m->upcoming, base->step_end);
     }
     return true;
 }

@@ -107,8 +107,9 @@ static bool model_warning(const model *m, const double start[], char message[MES
 /* Make the outputs follow time, states and inputs. */
 static bool model_evaluate(model *m, char message[MESSAGE]);
 
-/* Co-simulation: go on to a time, at most to the next event. */
-static bool model_advance(model *m, double time, char message[MESSAGE]);
+/* Co-simulation: go on to a time, at most to the next event. Where commands at the beginning of a step
+   change the next event, the model says how far it went. */
+static bool model_advance(model *m, double *reached, char message[MESSAGE]);
 
 /* Events: when the next one is, infinite where there is none, and the event at the present time. */
 static double model_next_event(const model *m);

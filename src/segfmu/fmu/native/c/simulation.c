@@ -227,16 +227,18 @@ bool glue_begin_step(instance *c, double time, double step)
 bool glue_continue_step(instance *c, double end, bool *event)
 {
     char message[MESSAGE];
-    double next = model_next_event(c->model);
-    /* an importer that steps to an event has its time but for rounding */
-    *event = next <= end + ROUNDING * (1.0 + fabs(end));
-    next = fmin(next, end);
-    if (!model_advance(c->model, next, message)) {
+    double next = model_next_event(c->model), asked = fmin(next, end), reached = asked;
+    if (!model_advance(c->model, &reached, message)) {
         glue_log(c, STATUS_ERROR, "%s", message);
         c->model->mode = MODE_FAILED;
         return false;
     }
-    glue_set_time(c, next);
+    if (reached != asked) {
+        next = model_next_event(c->model);
+    }
+    /* an importer that steps to an event has its time but for rounding */
+    *event = next <= end + ROUNDING * (1.0 + fabs(end));
+    glue_set_time(c, reached);
     return true;
 }
 
