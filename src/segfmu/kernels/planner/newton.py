@@ -48,22 +48,17 @@ def residual_norm(count: int, residual: 'float[:]') -> float:
     return sqrt(total)
 
 
-def pace_column(
-    count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+def difference_column(
+    column: int, change: float, count: int, problem: 'float[:]', axis: 'float[:]',
+    work: 'float[:,:]',
 ) -> None:
-    """Write the derivatives of all residuals with the pace, the last unknown."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    """Write the derivatives of all residuals with an unknown, from a run with its `change`."""
     residual = work[PlanWork.RESIDUAL, :]
-    change = DIFFERENCE
-    passing[Passing.PACE] = passing[Passing.PACE] + change
-    run_sequence(problem, passing, axis, nodes, residual)
-    passing[Passing.PACE] = passing[Passing.PACE] - change
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    run_sequence(problem, work[PlanWork.PASSING, :], axis, nodes, residual)
     for i in range(count):
         slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
-        work[PlanWork.MATRIX + i, count - 1] = slope
-    # the states are those of the present pace again
-    run_sequence(problem, passing, axis, nodes, residual)
+        work[PlanWork.MATRIX + i, column] = slope
 
 
 def time_column(
@@ -115,36 +110,29 @@ def time_column(
         work[PlanWork.MATRIX + i, column] = slopes[Equations.VALUES + i]
 
 
-def whole_column(
-    column: int, count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> None:
-    """`time_column` from a run of the whole sequence, as a peak may be anywhere around its node."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
-    residual = work[PlanWork.RESIDUAL, :]
-    time = nodes[column, Node.TIME]
-    change = DIFFERENCE * (abs(time) + FINE * passing[Passing.TIME])
-    nodes[column, Node.TIME] = time + change
-    run_sequence(problem, passing, axis, nodes, residual)
-    nodes[column, Node.TIME] = time
-    for i in range(count):
-        slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
-        work[PlanWork.MATRIX + i, column] = slope
-
-
 def newton_step(
     count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
     """Write the step of all unknowns to the rows STEP of `work`; derivatives are differences."""
     passing = work[PlanWork.PASSING, :]
+    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     for i in range(count):
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
     if has_pace(passing):
-        pace_column(count, problem, axis, work)
+        passing[Passing.PACE] = passing[Passing.PACE] + DIFFERENCE
+        difference_column(count - 1, DIFFERENCE, count, problem, axis, work)
+        passing[Passing.PACE] = passing[Passing.PACE] - DIFFERENCE
+        # the states are those of the present pace again
+        run_sequence(problem, passing, axis, nodes, residual)
     for j in range(int(passing[Passing.COUNT])):
         if passing[Passing.INSTANTS] != 0.0 or passing[Passing.FREE] != 0.0:
-            whole_column(j, count, problem, axis, work)
+            # a peak may be anywhere around the node: the whole sequence is run
+            time = nodes[j, Node.TIME]
+            change = DIFFERENCE * (abs(time) + FINE * passing[Passing.TIME])
+            nodes[j, Node.TIME] = time + change
+            difference_column(j, change, count, problem, axis, work)
+            nodes[j, Node.TIME] = time
         else:
             time_column(j, count, problem, axis, work)
     for j in range(count):

@@ -90,7 +90,6 @@ def as_asked(
 
     mirrored, turned: what `orient` returned.
     """
-    passing[Passing.MIRRORED] = mirrored
     if turned > 0:
         passing[Passing.REVERSED] = 1.0 - passing[Passing.REVERSED]
     turn_back(mirrored, turned, problem, axis)

@@ -9,13 +9,8 @@ from segfmu.kernels.numerics.numbers import EQUAL, FINE, SAME, TRIES, WORTH
 from segfmu.kernels.planner.active_set import follow
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.newton import solve_sequence
-from segfmu.kernels.planner.orientation import mirror_search, reverse_search
-from segfmu.kernels.planner.phases import (
-    append_phase,
-    is_passing,
-    mirror_phases,
-    reverse_phases,
-)
+from segfmu.kernels.planner.orientation import reverse_search
+from segfmu.kernels.planner.phases import append_phase, is_passing, reverse_phases
 from segfmu.kernels.planner.plateaus import (
     keep_sequence,
     meet_limits,
@@ -257,19 +252,16 @@ def timed_passing(
 def slower_form(
     count: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """Slow a profile of `count` phases down; their new number, 0 if that fails."""
+    """Slow a profile of `count` phases down; their new number, 0 if that fails.
+
+    It may have been found reversed, but not mirrored: what is slowed down goes forwards (`orient`).
+    """
     if not is_passing(phases, count, axis):
         return 0
     backwards = work[PlanWork.PASSING, Passing.REVERSED] != 0.0
-    mirrored = work[PlanWork.PASSING, Passing.MIRRORED] != 0.0
     if backwards:
         reverse_search(problem, axis)
-    if mirrored:
-        mirror_search(problem, axis)
     count = timed_passing(phases, problem, axis, work)
-    if mirrored:
-        mirror_search(problem, axis)
-        mirror_phases(phases, count)
     if backwards:
         reverse_search(problem, axis)
         reverse_phases(phases, 0, count)

@@ -335,7 +335,6 @@ class Passing(Record):
     TARGET = field("duration that it shall take by its pace; 0: the pace is given", "s")
     FREE = field("1, -1: over the largest, the least distance within TARGET, at the given pace")
     REVERSED = field("1: of the motion with the time reversed")
-    MIRRORED = field("1: of the motion in the other direction")
     START = field("level at the start")
     JERK = field("jerk at the start, where the levels are those of the snap", "m/s3")
     SETTLED = field("1: a profile that keeps the limits was found, not one slowed down")
