@@ -710,9 +710,8 @@ static void turn_phases(int64_t mirrored, int64_t turned, int64_t count, array_d
 static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing);
 static bool has_pace(array_double_1d passing);
 static double residual_norm(int64_t count, array_double_1d residual);
-static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void difference_column(int64_t column, double change, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double longest_step(array_double_2d work);
 static double nearest_multiple(double value, double grid);
@@ -15420,7 +15419,7 @@ state = span_row(&work, 203);
 above = (int64_t)(*cspan_at(&passing, 1));
 q = above + 2;
 boxes = (int64_t)(*cspan_at(&axis, 0)) - 1 - above;
-level = *cspan_at(&passing, 9);
+level = *cspan_at(&passing, 8);
 pieces = rise_pieces(boxes);
 for (order = 0; order < 4; order += 1) {
 *cspan_at(&excess, order, 0) = 0.0;
@@ -15484,7 +15483,7 @@ int64_t above, boxes, below, pieces, piece, held;
 double before, upper, lower, lowest, level, slope, curvature, third, ramp, change, length, direction, basis, peak, at, highest;
 above = (int64_t)(*cspan_at(&passing, 1));
 boxes = (int64_t)(*cspan_at(&axis, 0)) - 1 - above;
-before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 9);
+before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 8);
 below = 0 + above + 1;
 upper = sign * *cspan_at(&nodes, i, below);
 below = below - 1;
@@ -15556,41 +15555,41 @@ return highest;
 static double instant_error(int64_t peak, array_double_1d passing, array_double_1d axis, array_double_2d nodes) {
 int64_t order, first, last, i;
 double highest, sign, result;
-order = (int64_t)(*cspan_at(&passing, 15 + peak));
-first = span_max_int((int64_t)(*cspan_at(&passing, 21 + peak)), 0);
-last = (int64_t)(*cspan_at(&passing, 24 + peak));
+order = (int64_t)(*cspan_at(&passing, 14 + peak));
+first = span_max_int((int64_t)(*cspan_at(&passing, 20 + peak)), 0);
+last = (int64_t)(*cspan_at(&passing, 23 + peak));
 highest = -1e+300;
 for (i = 0; i < (int64_t)(*cspan_at(&passing, 0)) + 1; i += 1) {
 if ((i >= first) && (i <= last)) {
-sign = *cspan_at(&passing, 18 + peak);
+sign = *cspan_at(&passing, 17 + peak);
 highest = span_max(highest, highest_at_node(order, sign, i, passing, axis, nodes));
 }
 }
-result = highest - side_limit(order, *cspan_at(&passing, 18 + peak), axis);
+result = highest - side_limit(order, *cspan_at(&passing, 17 + peak), axis);
 return result;
 }
 static void shift_instants(int64_t place, int64_t by, array_double_1d passing) {
 int64_t peak;
-for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 14)); peak += 1) {
-if (*cspan_at(&passing, 21 + peak) >= place) {
-*cspan_at(&passing, 21 + peak) = *cspan_at(&passing, 21 + peak) + by;
+for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 13)); peak += 1) {
+if (*cspan_at(&passing, 20 + peak) >= place) {
+*cspan_at(&passing, 20 + peak) = *cspan_at(&passing, 20 + peak) + by;
 }
-if (*cspan_at(&passing, 24 + peak) >= place) {
-*cspan_at(&passing, 24 + peak) = *cspan_at(&passing, 24 + peak) + by;
+if (*cspan_at(&passing, 23 + peak) >= place) {
+*cspan_at(&passing, 23 + peak) = *cspan_at(&passing, 23 + peak) + by;
 }
 }
 }
 static void place_instant(int64_t peak, int64_t order, double sign, int64_t node, array_double_1d passing) {
-*cspan_at(&passing, 15 + peak) = order;
-*cspan_at(&passing, 18 + peak) = sign;
-*cspan_at(&passing, 21 + peak) = node - 1;
-*cspan_at(&passing, 24 + peak) = node + 1;
+*cspan_at(&passing, 14 + peak) = order;
+*cspan_at(&passing, 17 + peak) = sign;
+*cspan_at(&passing, 20 + peak) = node - 1;
+*cspan_at(&passing, 23 + peak) = node + 1;
 }
 static void add_instant(int64_t order, double sign, int64_t node, array_double_1d passing) {
 int64_t peak;
-peak = (int64_t)(*cspan_at(&passing, 14));
+peak = (int64_t)(*cspan_at(&passing, 13));
 place_instant(peak, order, sign, node, passing);
-*cspan_at(&passing, 14) = peak + 1;
+*cspan_at(&passing, 13) = peak + 1;
 }
 static double power_of(double base, int64_t exponent) {
 int64_t i;
@@ -15685,7 +15684,7 @@ int64_t above, k;
 double pace, before, change, basis, slope, variance, fourth, square;
 above = (int64_t)(*cspan_at(&passing, 1));
 pace = *cspan_at(&passing, 2);
-before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 9);
+before = i > 0 ? *cspan_at(&nodes, i - 1, 9) : *cspan_at(&passing, 8);
 change = *cspan_at(&nodes, i, 9) - before;
 for (k = 0; k < above + 2; k += 1) {
 *cspan_at(&nodes, i + 1, 0 + k) = *cspan_at(&nodes, i, 0 + k);
@@ -15831,14 +15830,14 @@ for (k = 0; k < (int64_t)(*cspan_at(&passing, 1)) + 2; k += 1) {
 *cspan_at(&nodes, 0, 0 + 2) = *cspan_at(&problem, 1);
 jerk = 0 + 3;
 if ((int64_t)(*cspan_at(&passing, 1)) > 1) {
-*cspan_at(&nodes, 0, jerk) = *cspan_at(&passing, 10);
+*cspan_at(&nodes, 0, jerk) = *cspan_at(&passing, 9);
 }
 row = 0;
 for (i = 0; i < (int64_t)(*cspan_at(&passing, 0)) + 1; i += 1) {
 row = follow_node(i, row, problem, passing, axis, nodes, residual);
 }
-for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 14)); peak += 1) {
-scale = residual_scale((int64_t)(*cspan_at(&passing, 15 + peak)), passing, axis);
+for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 13)); peak += 1) {
+scale = residual_scale((int64_t)(*cspan_at(&passing, 14 + peak)), passing, axis);
 error = instant_error(peak, passing, axis, nodes);
 *cspan_at(&residual, 0 + row) = error / scale;
 row = row + 1;
@@ -15887,7 +15886,7 @@ static bool is_square(array_double_1d passing, array_double_2d nodes) {
 int64_t count, conditions;
 count = (int64_t)(*cspan_at(&passing, 0));
 conditions = first_row(count, passing, nodes) + (int64_t)(*cspan_at(&passing, 1)) + 2;
-conditions = conditions + (int64_t)(*cspan_at(&passing, 14));
+conditions = conditions + (int64_t)(*cspan_at(&passing, 13));
 return (conditions == count) && (count + 2 <= 120 - 102);
 }
 static void begin_dip(int64_t above, double v, double a, array_double_2d work) {
@@ -15898,7 +15897,7 @@ passing = span_row(&work, 101);
 *cspan_at(&passing, 0) = above + 1;
 *cspan_at(&passing, 1) = above;
 *cspan_at(&passing, 2) = 1.0;
-*cspan_at(&passing, 9) = 0.0;
+*cspan_at(&passing, 8) = 0.0;
 sign = -1.0;
 for (i = 0; i < above + 2; i += 1) {
 for (i_0001 = 0; i_0001 < work.shape[1]; i_0001 += 1) {
@@ -16499,7 +16498,6 @@ mirror_phases(phases, count);
 }
 }
 static int64_t as_asked(int64_t mirrored, int64_t turned, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d passing) {
-*cspan_at(&passing, 8) = mirrored;
 if (turned > 0) {
 *cspan_at(&passing, 7) = 1.0 - *cspan_at(&passing, 7);
 }
@@ -16524,23 +16522,18 @@ total = total + *cspan_at(&residual, 0 + i) * *cspan_at(&residual, 0 + i);
 }
 return sqrt(total);
 }
-static void pace_column(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work) {
-array_double_1d passing, residual;
+static void difference_column(int64_t column, double change, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+array_double_1d residual;
 array_double_2d nodes;
-double change, slope;
 int64_t i;
-passing = span_row(&work, 101);
-nodes = span_rows(&work, 102, 120);
+double slope;
 residual = span_row(&work, 202);
-change = 1e-05;
-*cspan_at(&passing, 2) = *cspan_at(&passing, 2) + change;
-run_sequence(problem, passing, axis, nodes, residual);
-*cspan_at(&passing, 2) = *cspan_at(&passing, 2) - change;
+nodes = span_rows(&work, 102, 120);
+run_sequence(problem, span_row(&work, 101), axis, nodes, residual);
 for (i = 0; i < count; i += 1) {
 slope = (*cspan_at(&residual, 0 + i) + *cspan_at(&work, 219 + i, 0)) / change;
-*cspan_at(&work, 203 + i, count - 1) = slope;
+*cspan_at(&work, 203 + i, column) = slope;
 }
-run_sequence(problem, passing, axis, nodes, residual);
 }
 static void time_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing, residual, slopes, moved, base;
@@ -16600,40 +16593,30 @@ for (i = 0; i < count; i += 1) {
 *cspan_at(&work, 203 + i, column) = *cspan_at(&slopes, 0 + i);
 }
 }
-static void whole_column(int64_t column, int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work) {
-array_double_1d passing, residual;
-array_double_2d nodes;
-double time, change, slope;
-int64_t i;
-passing = span_row(&work, 101);
-nodes = span_rows(&work, 102, 120);
-residual = span_row(&work, 202);
-time = *cspan_at(&nodes, column, 6);
-change = 1e-05 * (fabs(time) + 0.001 * *cspan_at(&passing, 3));
-*cspan_at(&nodes, column, 6) = time + change;
-run_sequence(problem, passing, axis, nodes, residual);
-*cspan_at(&nodes, column, 6) = time;
-for (i = 0; i < count; i += 1) {
-slope = (*cspan_at(&residual, 0 + i) + *cspan_at(&work, 219 + i, 0)) / change;
-*cspan_at(&work, 203 + i, column) = slope;
-}
-}
 static void newton_step(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing, residual;
+array_double_2d nodes, matrix;
 int64_t i, j;
-double largest, added, diagonal;
-array_double_2d matrix;
+double time, change, largest, added, diagonal;
 passing = span_row(&work, 101);
+nodes = span_rows(&work, 102, 120);
 residual = span_row(&work, 202);
 for (i = 0; i < count; i += 1) {
 *cspan_at(&work, 219 + i, 0) = -*cspan_at(&residual, 0 + i);
 }
 if (has_pace(passing)) {
-pace_column(count, problem, axis, work);
+*cspan_at(&passing, 2) = *cspan_at(&passing, 2) + 1e-05;
+difference_column(count - 1, 1e-05, count, problem, axis, work);
+*cspan_at(&passing, 2) = *cspan_at(&passing, 2) - 1e-05;
+run_sequence(problem, passing, axis, nodes, residual);
 }
 for (j = 0; j < (int64_t)(*cspan_at(&passing, 0)); j += 1) {
-if ((*cspan_at(&passing, 14) != 0.0) || (*cspan_at(&passing, 6) != 0.0)) {
-whole_column(j, count, problem, axis, work);
+if ((*cspan_at(&passing, 13) != 0.0) || (*cspan_at(&passing, 6) != 0.0)) {
+time = *cspan_at(&nodes, j, 6);
+change = 1e-05 * (fabs(time) + 0.001 * *cspan_at(&passing, 3));
+*cspan_at(&nodes, j, 6) = time + change;
+difference_column(j, change, count, problem, axis, work);
+*cspan_at(&nodes, j, 6) = time;
 }
 else {
 time_column(j, count, problem, axis, work);
@@ -16725,7 +16708,7 @@ count = count + 1;
 }
 run_sequence(problem, passing, axis, nodes, residual);
 error = residual_norm(count, residual);
-quick = ramps_suffice(axis) || (*cspan_at(&passing, 13) != 0.0);
+quick = ramps_suffice(axis) || (*cspan_at(&passing, 12) != 0.0);
 earlier = error;
 spent = *cspan_at(&work, 200, 4) + 1.0;
 for (i = 0; i < 30; i += 1) {
@@ -17111,7 +17094,7 @@ if ((place < 0) || (beside < 0) || (beside >= count) || (count > 12)) {
 return 0;
 }
 row = 102 + beside;
-if (((int64_t)(*cspan_at(&passing, 14)) > 2) || (*cspan_at(&work, row, 4) != 0.0)) {
+if (((int64_t)(*cspan_at(&passing, 13)) > 2) || (*cspan_at(&work, row, 4) != 0.0)) {
 return 0;
 }
 sign = sign * *cspan_at(&work, row, 5);
@@ -17125,8 +17108,8 @@ array_double_1d passing;
 int64_t node, peak;
 passing = span_row(&work, 101);
 node = (int64_t)(*cspan_at(&work, 196 + order, 1));
-for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 14)); peak += 1) {
-if (((int64_t)(*cspan_at(&passing, 15 + peak)) == order) && may_go_on(work)) {
+for (peak = 0; peak < (int64_t)(*cspan_at(&passing, 13)); peak += 1) {
+if (((int64_t)(*cspan_at(&passing, 14 + peak)) == order) && may_go_on(work)) {
 place_instant(peak, order, *cspan_at(&work, 196 + order, 3), node, passing);
 if (solve_rotated(problem, axis, work)) {
 return 1;
@@ -17310,7 +17293,7 @@ bool touches;
 passing = span_row(&work, 101);
 kind = (int64_t)(*cspan_at(&passing, 1));
 end = vanishing_end(work);
-if ((end < 0) || ((int64_t)(*cspan_at(&passing, 14)) > 2)) {
+if ((end < 0) || ((int64_t)(*cspan_at(&passing, 13)) > 2)) {
 return 0;
 }
 for (i = 0; i < (int64_t)(*cspan_at(&passing, 0)); i += 1) {
@@ -17330,7 +17313,7 @@ int64_t change;
 bool changed;
 for (change = 0; change < 2; change += 1) {
 restore_sequence(158, work);
-*cspan_at(&work, 101, 13) = 1.0;
+*cspan_at(&work, 101, 12) = 1.0;
 *cspan_at(&work, 101, 5) = target;
 changed = (change == 0) || release_plateau(work);
 if (changed && may_go_on(work) && solve_rotated(problem, axis, work)) {
@@ -17432,8 +17415,8 @@ static void begin_sequence(double duration, double acceleration, array_double_1d
 *cspan_at(&passing, 2) = 1.0;
 *cspan_at(&passing, 5) = 0.0;
 *cspan_at(&passing, 6) = 0.0;
-*cspan_at(&passing, 14) = 0.0;
 *cspan_at(&passing, 13) = 0.0;
+*cspan_at(&passing, 12) = 0.0;
 *cspan_at(&passing, 3) = duration;
 *cspan_at(&passing, 4) = acceleration;
 }
@@ -17527,7 +17510,7 @@ most = (int64_t)(*cspan_at(&passing, 0)) == q ? 1e+300 : 0.3;
 duration = sequence_duration(passing, nodes);
 sign = *cspan_at(&work, 102, 5);
 scale = duration;
-*cspan_at(&passing, 13) = 1.0;
+*cspan_at(&passing, 12) = 1.0;
 for (attempt = 0; attempt < 4; attempt += 1) {
 sign = -sign;
 if (attempt == 2) {
@@ -17540,7 +17523,7 @@ set_alternating(sign, 0.5 * 0.7 * scale / q, work);
 if (solve_rotated(problem, axis, work)) {
 shorter = sequence_duration(passing, nodes) < 0.9 * duration;
 if (shorter && (largest_excess(axis, work) < most)) {
-*cspan_at(&passing, 13) = 0.0;
+*cspan_at(&passing, 12) = 0.0;
 keep_sequence(158, work);
 return 1;
 }
@@ -17671,7 +17654,7 @@ int64_t row;
 double before, spent, scale, result;
 passing = span_row(&work, 101);
 row = 102 + i;
-before = i > 0 ? *cspan_at(&work, row - 1, 9) : *cspan_at(&passing, 9);
+before = i > 0 ? *cspan_at(&work, row - 1, 9) : *cspan_at(&passing, 8);
 if ((before != 0.0) || (*cspan_at(&work, row, 9) == 0.0) || (*cspan_at(&work, row + 1, 9) != 0.0)) {
 return 0.0;
 }
@@ -17685,7 +17668,7 @@ double above, level, idle, after, ramp, basis, change, held, order, sign;
 int64_t i, row, state, kind, used;
 flush_levels(problem, axis, work);
 above = *cspan_at(&work, 101, 1);
-level = *cspan_at(&work, 101, 9);
+level = *cspan_at(&work, 101, 8);
 used = 0;
 idle = 0.0;
 for (i = 0; i < (int64_t)(*cspan_at(&work, 101, 0)) + 1; i += 1) {
@@ -17755,7 +17738,7 @@ int64_t result;
 if (is_brief(axis)) {
 return 1;
 }
-result = *cspan_at(&work, 101, 12) == 0.0 ? 3 : 2;
+result = *cspan_at(&work, 101, 11) == 0.0 ? 3 : 2;
 return result;
 }
 static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t ways, double shortest, double longest, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
@@ -17771,7 +17754,7 @@ used = write_sequence(phases, problem, axis, work);
 keep_sequence(139, work);
 }
 if ((way == 2) || ((way == 0) && (!stays_below(work)))) {
-*cspan_at(&work, 101, 11) = 1.0;
+*cspan_at(&work, 101, 10) = 1.0;
 break;
 }
 }
@@ -17784,15 +17767,15 @@ static int64_t passing_form(double shortest, double longest, int64_t count, arra
 array_double_1d passing;
 int64_t ways, others, used;
 passing = span_row(&work, 101);
-*cspan_at(&passing, 11) = 0.0;
+*cspan_at(&passing, 10) = 0.0;
 ways = usual_ways(axis, work);
 if (!first_solution(count, ramps, problem, axis, work)) {
 return 0;
 }
 used = 0;
-if ((*cspan_at(&passing, 12) == 0.0) && shorter_solution(problem, axis, work)) {
+if ((*cspan_at(&passing, 11) == 0.0) && shorter_solution(problem, axis, work)) {
 shortest_way(&used, &shortest, ways, shortest, longest, phases, problem, axis, work);
-if (*cspan_at(&passing, 11) != 0.0) {
+if (*cspan_at(&passing, 10) != 0.0) {
 return used;
 }
 first_solution(count, ramps, problem, axis, work);
@@ -17837,7 +17820,7 @@ shortest = sequence_duration(span_row(&work, 101), span_rows(&work, 102, 120));
 if (*cspan_at(&problem, 5) < shortest) {
 return 0;
 }
-ways = *cspan_at(&work, 101, 14) != 0.0 ? 2 : 1;
+ways = *cspan_at(&work, 101, 13) != 0.0 ? 2 : 1;
 for (moving = 0; moving < ways; moving += 1) {
 if (pace_down(moving, shortest, problem, axis, work)) {
 result = write_sequence(phases, problem, axis, work);
@@ -17847,23 +17830,15 @@ return result;
 return 0;
 }
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
-bool backwards, mirrored;
+bool backwards;
 if (!is_passing(phases, count, axis)) {
 return 0;
 }
 backwards = *cspan_at(&work, 101, 7) != 0.0;
-mirrored = *cspan_at(&work, 101, 8) != 0.0;
 if (backwards) {
 reverse_search(problem, axis);
 }
-if (mirrored) {
-mirror_search(problem, axis);
-}
 count = timed_passing(phases, problem, axis, work);
-if (mirrored) {
-mirror_search(problem, axis);
-mirror_phases(phases, count);
-}
 if (backwards) {
 reverse_search(problem, axis);
 reverse_phases(phases, 0, count);
@@ -18033,13 +18008,13 @@ double longest, whole, settled;
 int64_t forwards, result, backwards;
 ramps = span_rows(&work, 0, 21);
 passing = span_row(&work, 101);
+*cspan_at(&passing, 8) = 0.0;
 *cspan_at(&passing, 9) = 0.0;
-*cspan_at(&passing, 10) = 0.0;
 copy_phases(phases, ramps, count);
 longest = total_duration(ramps, count) * (1.0 - 1e-09);
 whole = longest;
 forwards = passing_form(whole, longest, count, ramps, phases, asked, axis, work);
-settled = *cspan_at(&passing, 11);
+settled = *cspan_at(&passing, 10);
 *cspan_at(&passing, 7) = 0.0;
 result = count;
 if (forwards > 0) {
@@ -18059,7 +18034,7 @@ reverse_phases(phases, 0, backwards);
 return backwards;
 }
 if (forwards > 0) {
-*cspan_at(&passing, 11) = settled;
+*cspan_at(&passing, 10) = settled;
 }
 return result;
 }
@@ -18366,8 +18341,8 @@ int64_t result, backwards;
 passing = span_row(&work, 101);
 ramps = span_rows(&work, 0, 21);
 copy_phases(phases, ramps, count);
+*cspan_at(&passing, 8) = 0.0;
 *cspan_at(&passing, 9) = 0.0;
-*cspan_at(&passing, 10) = 0.0;
 longest = total_duration(ramps, count) * (1.0 - 1e-09);
 touching_starts(&result, &longest, count, longest, ramps, phases, problem, axis, work);
 reverse_search(problem, axis);
@@ -18493,7 +18468,7 @@ boundary_problem(problem, axis, span_row(&work, 59));
 *cspan_at(&work, 98, 21) = 0;
 *cspan_at(&work, 98, 22) = 0.0;
 *cspan_at(&work, 98, 20) = 1e+300;
-*cspan_at(&work, 101, 12) = 0.0;
+*cspan_at(&work, 101, 11) = 0.0;
 }
 static int64_t shortest_ramps(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work) {
 array_double_1d asked;
@@ -18522,7 +18497,7 @@ if (status > 0) {
 settled = 0;
 if (*cspan_at(&axis, 38) != 0.0) {
 status = passing_either_way(status, phases, asked, axis, work);
-settled = (*cspan_at(&work, 101, 11) != 0.0) && ramps_suffice(axis);
+settled = (*cspan_at(&work, 101, 10) != 0.0) && ramps_suffice(axis);
 }
 longest = total_duration(phases, status);
 settled = settled && (longest <= 1.1 * free);
@@ -18605,7 +18580,7 @@ int64_t missed, count;
 double free, longest;
 asked = span_row(&work, 59);
 family = span_row(&work, 98);
-*cspan_at(&work, 101, 11) = 1.0;
+*cspan_at(&work, 101, 10) = 1.0;
 if (is_done(asked)) {
 return 0;
 }
@@ -18614,7 +18589,7 @@ missed = (int64_t)(*cspan_at(&family, 21));
 if (count == 0) {
 free = *cspan_at(&family, 20);
 count = shortest_braked(asked, axis, phases, work);
-if (*cspan_at(&work, 101, 11) == 0.0) {
+if (*cspan_at(&work, 101, 10) == 0.0) {
 missed = span_max_int(missed, 1);
 }
 if ((count > 0) && misses_little(free, total_duration(phases, count), asked, axis)) {
@@ -18664,7 +18639,7 @@ return result;
 static int64_t plain_profile(array_double_1d problem, array_double_1d axis, array_double_2d phases, array_double_2d work) {
 int64_t result;
 begin_search(problem, axis, work);
-*cspan_at(&work, 101, 12) = 1.0;
+*cspan_at(&work, 101, 11) = 1.0;
 result = begun_profile(axis, phases, work);
 return result;
 }
@@ -19784,10 +19759,10 @@ return 0;
 copy_phases(phases, ramps, count);
 longest = span_min(longest + total_duration(ramps, count), least - *cspan_at(&level, 8));
 set_stage_problem(seen, end, level, problem);
-*cspan_at(&passing, 12) = 1.0;
-*cspan_at(&passing, 9) = (*cspan_at(&level, level_order(order, lead)));
+*cspan_at(&passing, 11) = 1.0;
+*cspan_at(&passing, 8) = (*cspan_at(&level, level_order(order, lead)));
 third = seen + 3;
-*cspan_at(&passing, 10) = *cspan_at(&level, third);
+*cspan_at(&passing, 9) = *cspan_at(&level, third);
 result = passing_form(longest, longest, count, ramps, phases, problem, chain, plan);
 return result;
 }
@@ -20972,7 +20947,7 @@ double duration, acceleration;
 int64_t i, q;
 passing = span_row(&work, 101);
 duration = *cspan_at(&problem, 5);
-for (i = 0; i < 27; i += 1) {
+for (i = 0; i < 26; i += 1) {
 *cspan_at(&passing, i) = 0.0;
 }
 *cspan_at(&passing, 1) = *cspan_at(&axis, 38);

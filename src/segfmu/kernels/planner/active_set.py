@@ -100,8 +100,7 @@ def compares_levels(axis: 'float[:]') -> bool:
 
 def sequence_cost(work: 'float[:,:]') -> float:
     """What a solved sequence is better by having less of: its duration [s], or a distance [m]."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     if passing[Passing.FREE] != 0.0:
         end = int(passing[Passing.COUNT]) + 1
         return -passing[Passing.FREE] * nodes[end, Node.STATE]

@@ -178,8 +178,7 @@ def loop_form(
     """
     if axis[Axis.EFFORT] == Effort.QUICK:
         return count
-    family = work[PlanWork.FAMILY, :]
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    family, trial = work[PlanWork.FAMILY, :], work[PlanWork.TRIAL:PlanWork.BEST, :]
     missing = set_loop(problem, axis, family)
     given = longest
     for arc in range(last + 1):

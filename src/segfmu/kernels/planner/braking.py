@@ -148,8 +148,7 @@ def braked(
     It is the row REST of `work`. Returns the number of braking phases and their duration. The
     number is one of `Braking` if there is no such problem.
     """
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    rest = work[PlanWork.REST, :]
+    trial, rest = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.REST, :]
     first, last, spent = 0, 0, 0.0
     v, a, w, b = problem[Problem.V], problem[Problem.A], problem[Problem.W], problem[Problem.B]
     distance = problem[Problem.DISTANCE]

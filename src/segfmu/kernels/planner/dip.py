@@ -48,8 +48,7 @@ def begin_dip(above: int, v: float, a: float, work: 'float[:,:]') -> None:
 
 def follow_dip(order: int, axis: 'float[:]', work: 'float[:,:]') -> float:
     """Follow a dip from level to level; the derivative of an order at its end."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     above = int(passing[Passing.ABOVE])
     for i in range(above + 2):
         if i <= above:

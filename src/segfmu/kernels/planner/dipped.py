@@ -94,8 +94,7 @@ def dipped_profile(
 
     0: there is none that takes less than `longest` [s].
     """
-    rest = work[PlanWork.DIPPED, :]
-    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    rest, between = work[PlanWork.DIPPED, :], work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
     spent = problem_between(depth, asked, axis, rest, work)
     if spent >= longest:
         return 0
@@ -107,8 +106,7 @@ def dipped_profile(
 
 def set_both_dips(end: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Set the dips at both ends; False if there are none, or none are needed."""
-    first = work[PlanWork.DIP_FIRST, :]
-    last = work[PlanWork.DIP_LAST, :]
+    first, last = work[PlanWork.DIP_FIRST, :], work[PlanWork.DIP_LAST, :]
     if not set_dips(problem[Problem.V], problem[Problem.A], end, axis, first, work):
         return False
     reverse_axis(axis)
@@ -166,8 +164,7 @@ def timed_between_dips(
     rest: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> float:
     """`timed_profile` of what dips leave: ramps, or the shortest profile at a slower pace."""
-    nearest = work[PlanWork.NEAREST, :]
-    between = work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
+    nearest, between = work[PlanWork.NEAREST, :], work[PlanWork.DIP_PHASES:PlanWork.FAMILY, :]
     clear_nearest(work)
     if rest[Problem.DURATION] <= 0.0:
         return -1.0
@@ -183,8 +180,7 @@ def timed_between_dips(
 
 def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """`timed_profile` with dips at the ends where ramps exceed the velocity limit."""
-    problem = work[PlanWork.PROBLEM, :]
-    rest = work[PlanWork.DIPPED, :]
+    problem, rest = work[PlanWork.PROBLEM, :], work[PlanWork.DIPPED, :]
     if not set_both_dips(0.0, problem, axis, work):
         return -1.0
     for i in range(5):
@@ -193,8 +189,7 @@ def timed_dipped(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
         rest[Problem.DURATION] = problem[Problem.DURATION] - spent
         weight = timed_between_dips(rest, axis, cell, work)
         if weight >= 0.0:
-            below = cell[Cell.BELOW:Cell.ABOVE, :]
-            above = cell[Cell.ABOVE:Cell.PROBLEM, :]
+            below, above = cell[Cell.BELOW:Cell.ABOVE, :], cell[Cell.ABOVE:Cell.PROBLEM, :]
             surround_with_dips(Nearest.BELOW_COUNT, depth, below, axis, work)
             surround_with_dips(Nearest.ABOVE_COUNT, depth, above, axis, work)
             return weight

@@ -23,8 +23,7 @@ def timed_merged(
     problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Nearest profiles of the merged form, on all of its branches."""
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    family = work[PlanWork.FAMILY, :]
+    trial, family = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.FAMILY, :]
     for branch in range(4):
         if same_members(branch, problem, family):
             continue

@@ -77,8 +77,7 @@ def piece_excess(
     length: float, node: int, holding: bool, axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
     """Note what a piece exceeds; the state in the first row MATRIX of `work` goes on to its end."""
-    state = work[PlanWork.MATRIX, :]
-    end = work[PlanWork.MATRIX + 1, :]
+    state, end = work[PlanWork.MATRIX, :], work[PlanWork.MATRIX + 1, :]
     excess = work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
     q = int(work[PlanWork.PASSING, Passing.ABOVE]) + 2
     # the derivative that is constant in each piece
@@ -104,8 +103,7 @@ def piece_excess(
 
 def measure_excess(axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Write by how much the sequence in `work` (PlanWork) exceeds limits; whether it does."""
-    passing = work[PlanWork.PASSING, :]
-    excess = work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
+    passing, excess = work[PlanWork.PASSING, :], work[PlanWork.EXCESS:PlanWork.RESIDUAL, :]
     state = work[PlanWork.MATRIX, :]
     above = int(passing[Passing.ABOVE])
     q = above + 2

@@ -80,8 +80,7 @@ def shortest_between(
     The first attempt (0) tries the optimal forms; the second one tries those that take longer to
     keep the velocity limit. Returns the number of phases.
     """
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    family = work[PlanWork.FAMILY, :]
+    trial, family = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.FAMILY, :]
     best, shortest = 0, 0.0
     if attempt == 0:
         best = fastest_between(phases, problem, axis)
@@ -129,8 +128,7 @@ def braked_variant(
     the same with the second attempt. Returns the number of phases, 0 if there are none, or a
     status; and their duration.
     """
-    candidate = work[PlanWork.BEST:PlanWork.GAP_ENDS, :]
-    rest = work[PlanWork.REST, :]
+    candidate, rest = work[PlanWork.BEST:PlanWork.GAP_ENDS, :], work[PlanWork.REST, :]
     taken, spent = braked(variant % 4, problem, axis, work)
     if taken == Braking.NOT_NEEDED:
         return 0, 0.0
@@ -181,8 +179,7 @@ def passing_either_way(
 
     Returns the new number of phases. Settled, both are the same where the jerk has the levels.
     """
-    ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    passing = work[PlanWork.PASSING, :]
+    ramps, passing = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.PASSING, :]
     passing[Passing.START] = 0.0
     passing[Passing.JERK] = 0.0
     copy_phases(phases, ramps, count)

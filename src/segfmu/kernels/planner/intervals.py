@@ -34,8 +34,7 @@ def set_shortest(
     cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> 'tuple[int, float]':
     """Write the shortest profile of a cell; returns its status (PlanStatus) and duration [s]."""
-    problem = cell[Cell.PROBLEM, :]
-    phases = cell[Cell.BELOW:Cell.ABOVE, :]
+    problem, phases = cell[Cell.PROBLEM, :], cell[Cell.BELOW:Cell.ABOVE, :]
     count = shortest_profile(problem, axis, phases, work)
     cell[Cell.RESULT, Interval.BELOW_COUNT] = max(count, 0)
     cell[Cell.RESULT, Interval.ABOVE_COUNT] = 0.0

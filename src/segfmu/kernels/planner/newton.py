@@ -53,8 +53,7 @@ def difference_column(
     work: 'float[:,:]',
 ) -> None:
     """Write the derivatives of all residuals with an unknown, from a run with its `change`."""
-    residual = work[PlanWork.RESIDUAL, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    residual, nodes = work[PlanWork.RESIDUAL, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     run_sequence(problem, work[PlanWork.PASSING, :], axis, nodes, residual)
     for i in range(count):
         slope = (residual[Equations.VALUES + i] + work[PlanWork.STEP + i, 0]) / change
@@ -68,12 +67,9 @@ def time_column(
 
     It changes the ramps to the node and from there; what follows is linear in the state after them.
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
-    residual = work[PlanWork.RESIDUAL, :]
-    slopes = work[PlanWork.SLOPES, :]
-    before = work[PlanWork.BEFORE:PlanWork.CHANGE, :]
-    moved = work[PlanWork.CHANGE, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
+    residual, slopes = work[PlanWork.RESIDUAL, :], work[PlanWork.SLOPES, :]
+    before, moved = work[PlanWork.BEFORE:PlanWork.CHANGE, :], work[PlanWork.CHANGE, :]
     q = int(passing[Passing.ABOVE]) + 2
     following = column + 2
     base = work[PlanWork.BEFORE + 2, :]
@@ -114,8 +110,7 @@ def newton_step(
     count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> None:
     """Write the step of all unknowns to the rows STEP of `work`; derivatives are differences."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     for i in range(count):
         work[PlanWork.STEP + i, 0] = -residual[Equations.VALUES + i]
@@ -151,8 +146,7 @@ def newton_step(
 
 def longest_step(work: 'float[:,:]') -> float:
     """The share of a step that keeps the signs of most levels and changes no unknown too much."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     share = 1.0
     count = int(passing[Passing.COUNT])
     for i in range(count):
@@ -201,8 +195,7 @@ def solve_sequence(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') ->
 
     If it has a TARGET, its pace is changed too, until it lasts that long.
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]
     count = int(passing[Passing.COUNT])
     if has_pace(passing):

@@ -32,8 +32,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
 
     False if that takes longer than `longest` [s].
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     fast, slow = 1.0, 0.0
     for i in range(TRIES):
         passing[Passing.PACE] = 0.5 * (slow + fast) if slow > 0.0 else SLOWER * fast
@@ -55,8 +54,7 @@ def slow_down(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'floa
 
 def flush_levels(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
     """Set levels to zero whose ramps are too short for any clock; the states do not feel it."""
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     for i in range(int(passing[Passing.COUNT])):
         short = abs(nodes[i, Node.TIME]) < SAME * passing[Passing.TIME]
         if short and nodes[i, Node.KIND] == 0.0:
@@ -206,8 +204,7 @@ def pace_down(
     limit or fails.
     """
     restore_sequence(PlanWork.FOUND, work)
-    passing = work[PlanWork.PASSING, :]
-    taken = work[PlanWork.TIGHTEN, :]
+    passing, taken = work[PlanWork.PASSING, :], work[PlanWork.TIGHTEN, :]
     target = problem[Problem.DURATION]
     keep_sequence(PlanWork.SOLVED, work)
     taken[Tighten.STEPS] = 0.0

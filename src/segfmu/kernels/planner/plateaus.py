@@ -129,8 +129,7 @@ def insert_plateau(
     touching: that of the order q - 3 only touches it. guess: as in `split_guess`. False if there is
     no place for it.
     """
-    passing = work[PlanWork.PASSING, :]
-    excess = work[PlanWork.EXCESS + kind, :]
+    passing, excess = work[PlanWork.PASSING, :], work[PlanWork.EXCESS + kind, :]
     q = int(passing[Passing.ABOVE]) + 2
     count = int(passing[Passing.COUNT])
     place = int(excess[Excess.NODE])

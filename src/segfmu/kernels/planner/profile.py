@@ -118,8 +118,7 @@ def may_last_longer(problem: 'float[:]', axis: 'float[:]') -> bool:
 
 def oriented_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
     """`shortest_profile` of the problem that is set, in the direction that it has (`orient`)."""
-    asked = work[PlanWork.PROBLEM, :]
-    family = work[PlanWork.FAMILY, :]
+    asked, family = work[PlanWork.PROBLEM, :], work[PlanWork.FAMILY, :]
     work[PlanWork.PASSING, Passing.SETTLED] = 1.0
     if is_done(asked):
         return 0

@@ -202,8 +202,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
     There can be several solutions. Newton's method started from ramps, which may lead far from the
     shortest one, as where these go beyond the target and back. From rest to rest they do not.
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     q = int(passing[Passing.ABOVE]) + 2
     if is_brief(axis) or is_resting(problem, axis):
         return False

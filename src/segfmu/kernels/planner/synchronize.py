@@ -99,8 +99,7 @@ def timed_gently(
 
     turning: also those that turn back.
     """
-    problem = work[PlanWork.PROBLEM, :]
-    gentle = work[PlanWork.GENTLE, :]
+    problem, gentle = work[PlanWork.PROBLEM, :], work[PlanWork.GENTLE, :]
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     target = problem[Problem.DURATION]
     for attempt in range(6):
@@ -136,8 +135,7 @@ def timed_slower(
     shortest: the shortest duration of the problem [s]. turning: also one that turns back. False if
     there is none; the boundary states must not exceed the limits that remain.
     """
-    problem = work[PlanWork.PROBLEM, :]
-    rest = work[PlanWork.REST, :]
+    problem, rest = work[PlanWork.PROBLEM, :], work[PlanWork.REST, :]
     velocity, backwards = axis[Axis.VELOCITY], axis[Axis.LOWER]
     factor = shortest / problem[Problem.DURATION]
     factor = factor * factor
@@ -244,8 +242,7 @@ def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> fl
 
     Below zero as `Weight`.
     """
-    problem = work[PlanWork.PROBLEM, :]
-    rest = work[PlanWork.REST, :]
+    problem, rest = work[PlanWork.PROBLEM, :], work[PlanWork.REST, :]
     for variant in range(4):
         taken, spent = braked(variant, problem, axis, work)
         if taken == Braking.NOT_NEEDED:
@@ -323,10 +320,8 @@ def surround_nearest(
     variant: int, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> None:
     """Add a variant's braking phases to both profiles, and give them the exact duration."""
-    problem = work[PlanWork.PROBLEM, :]
-    nearest = work[PlanWork.NEAREST, :]
-    below = cell[Cell.BELOW:Cell.ABOVE, :]
-    above = cell[Cell.ABOVE:Cell.PROBLEM, :]
+    problem, nearest = work[PlanWork.PROBLEM, :], work[PlanWork.NEAREST, :]
+    below, above = cell[Cell.BELOW:Cell.ABOVE, :], cell[Cell.ABOVE:Cell.PROBLEM, :]
     count = int(nearest[Nearest.BELOW_COUNT])
     count = surround(below, count, variant, problem, axis, work)
     nearest[Nearest.BELOW_COUNT] = fit_duration(below, count, problem[Problem.DURATION])

@@ -93,8 +93,7 @@ def keep_nearest(
     """
     if count <= 0:
         return
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    nearest = work[PlanWork.NEAREST, :]
+    trial, nearest = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.NEAREST, :]
     distance, target = problem[Problem.DISTANCE], problem[Problem.DURATION]
     most = slowest_velocity(axis) * (1.0 + EQUAL)
     duration, y, end, lowest, highest = measure_phases(

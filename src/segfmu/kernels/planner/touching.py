@@ -146,8 +146,7 @@ def touching_form(
     Newton's method starts from the motion and from that reversed. Unlike `passing_either_way`, the
     reversed one is always tried, as the level at which the velocity touches is another one there.
     """
-    passing = work[PlanWork.PASSING, :]
-    ramps = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    passing, ramps = work[PlanWork.PASSING, :], work[PlanWork.TRIAL:PlanWork.BEST, :]
     copy_phases(phases, ramps, count)
     passing[Passing.START] = 0.0
     passing[Passing.JERK] = 0.0

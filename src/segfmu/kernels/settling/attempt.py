@@ -214,8 +214,7 @@ def turn_round(
     far the derivative then is from its other limit, below 0: beyond. The row TURN of `lead` becomes
     the state at the level.
     """
-    state = lead[LeadWork.STATE, :]
-    turn = lead[LeadWork.TURN, :]
+    state, turn = lead[LeadWork.STATE, :], lead[LeadWork.TURN, :]
     row = int(LeadRows.PIECES)
     state[:] = lead[LeadWork.BRAKED, :]
     if settled and order + 2 <= int(lead[LeadWork.AXIS, Axis.SMOOTHNESS]):
@@ -244,8 +243,7 @@ def try_brake(
 
     The pieces are in the rows from LeadRows.PIECES to Brake.LAST.
     """
-    state = lead[LeadWork.STATE, :]
-    turn = lead[LeadWork.TURN, :]
+    state, turn = lead[LeadWork.STATE, :], lead[LeadWork.TURN, :]
     smoothness = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     first = int(LeadRows.PIECES)
     row, last, room = turn_round(order, side, level, settled, lead, timing, coefficients)

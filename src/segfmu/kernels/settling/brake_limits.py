@@ -16,8 +16,7 @@ def set_box(steep: float, loose: int, limits: 'float[:]', lead: 'float[:,:]') ->
     steep as in `natural_limit`. Derivatives from the order `loose` on may stay as large as in NOW.
     """
     smoothness = limits.shape[0] - 1
-    axis = lead[LeadWork.AXIS, :]
-    state = lead[LeadWork.STATE, :]
+    axis, state = lead[LeadWork.AXIS, :], lead[LeadWork.STATE, :]
     axis_limits(smoothness, int(Shape.PLATEAU), limits, axis)
     set_lower(lead[LeadWork.LOWER, :], axis)
     for i in range(loose, smoothness + 1):

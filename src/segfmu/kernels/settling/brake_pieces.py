@@ -14,8 +14,7 @@ from segfmu.kernels.trajectory.records import Brake, Check, Timing
 def note_extremes(row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> None:
     """Widen the extremes in the row BRAKE of `lead` by those of a piece, or by close bounds."""
-    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
-    report = lead[LeadWork.BRAKE, :]
+    check, report = lead[LeadWork.CHECK:LeadWork.SIZE, :], lead[LeadWork.BRAKE, :]
     width = coefficients.shape[1]
     parts = 8
     step = timing[row, Timing.LENGTH] / parts
@@ -46,8 +45,7 @@ def end_brake(
     until: float, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> None:
     """Leave out what a brake does after a time [s]; BRAKED becomes the state at its end."""
-    report = lead[LeadWork.BRAKE, :]
-    reached = lead[LeadWork.BRAKED, :]
+    report, reached = lead[LeadWork.BRAKE, :], lead[LeadWork.BRAKED, :]
     width = coefficients.shape[1]
     first = 2 * LeadRows.PIECES
     count = int(report[Brake.COUNT])

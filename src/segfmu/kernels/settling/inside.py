@@ -107,8 +107,7 @@ def side_beyond(
 
     Though the one above it goes to zero at once.
     """
-    state = lead[LeadWork.STATE, :]
-    reached = lead[LeadWork.BRAKED, :]
+    state, reached = lead[LeadWork.STATE, :], lead[LeadWork.BRAKED, :]
     low = lead[LeadWork.LOWEST, order]
     first = int(LeadRows.PIECES)
     state[:] = reached
@@ -143,8 +142,7 @@ def bring_gently(
 ) -> bool:
     """Bring a derivative to its limit, those above it to zero; False: that is not possible."""
     first = int(LeadRows.PIECES)
-    reached = lead[LeadWork.BRAKED, :]
-    state = lead[LeadWork.STATE, :]
+    reached, state = lead[LeadWork.BRAKED, :], lead[LeadWork.STATE, :]
     value = reached[order]
     if not outside_by(value, order, lead) > 0.0:
         return False
@@ -177,8 +175,7 @@ def bring_inside(
 
     whole: let it go as well, so that those above end at zero.
     """
-    report = lead[LeadWork.BRAKE, :]
-    reached = lead[LeadWork.BRAKED, :]
+    report, reached = lead[LeadWork.BRAKE, :], lead[LeadWork.BRAKED, :]
     gentle = report[Brake.GENTLE + order]
     lead[LeadWork.INSIDE, order] = 0.0
     if gentle == 1.0 and bring_gently(order, lead, timing, coefficients):

@@ -42,15 +42,11 @@ def passing_phases(
     Newton's method starts from the ramps that follow when the derivatives above the velocity, or
     above the acceleration, go to zero first. The pieces of that are written from `row` on.
     """
-    state = lead[LeadWork.STATE, :]
-    level = lead[LeadWork.LEVEL, :]
+    state, level = lead[LeadWork.STATE, :], lead[LeadWork.LEVEL, :]
     seen = LeadStage.ACCELERATION - order
-    chain = lead[LeadWork.CHAINS + seen, :]
-    problem = lead[LeadWork.PROBLEM, :]
-    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
-    plan = lead[LeadWork.PLAN:LeadWork.EXPANSION, :]
-    ramps = plan[PlanWork.TRIAL:PlanWork.BEST, :]
-    passing = plan[PlanWork.PASSING, :]
+    chain, problem = lead[LeadWork.CHAINS + seen, :], lead[LeadWork.PROBLEM, :]
+    phases, plan = lead[LeadWork.PHASES:LeadWork.AXIS, :], lead[LeadWork.PLAN:LeadWork.EXPANSION, :]
+    ramps, passing = plan[PlanWork.TRIAL:PlanWork.BEST, :], plan[PlanWork.PASSING, :]
     end = lead_end(order, lead)
     lead[LeadWork.ENDS, seen + 2] = NEVER
     if run_stage(seen + 2, row, lead, timing, coefficients) < 0:
@@ -83,8 +79,7 @@ def settle_over_level(
 
     With the order 2 the target is where it ends, at rest.
     """
-    state = lead[LeadWork.STATE, :]
-    level = lead[LeadWork.LEVEL, :]
+    state, level = lead[LeadWork.STATE, :], lead[LeadWork.LEVEL, :]
     stage = level_order(order, lead)
     lead[LeadWork.ENDS, :] = NEVER
     lead[LeadWork.ENDS, stage] = end

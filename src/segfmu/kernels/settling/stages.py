@@ -21,8 +21,7 @@ from segfmu.kernels.trajectory.records import Expansion, PieceState
 
 def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
     """Phases of the stage for an order in the row PHASES of `lead`; their number, below 0: none."""
-    state = lead[LeadWork.STATE, :]
-    phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
+    state, phases = lead[LeadWork.STATE, :], lead[LeadWork.PHASES:LeadWork.AXIS, :]
     smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])
     if order == smoothness - 1:
         chain = lead[LeadWork.CHAINS + order - 1, :]

@@ -42,10 +42,8 @@ def profile_time(ramps: bool, lead: 'float[:,:]') -> float:
 
     ramps: of ramps of the acceleration alone, which is found sooner.
     """
-    state = lead[LeadWork.STATE, :]
-    target = lead[LeadWork.TARGET, :]
-    problem = lead[LeadWork.PROBLEM, :]
-    axis = lead[LeadWork.AXIS, :]
+    state, target = lead[LeadWork.STATE, :], lead[LeadWork.TARGET, :]
+    problem, axis = lead[LeadWork.PROBLEM, :], lead[LeadWork.AXIS, :]
     phases = lead[LeadWork.PHASES:LeadWork.AXIS, :]
     for order in range(1, 3):
         value = state[Chain.DERIVATIVES + order]
@@ -118,8 +116,7 @@ def keep_better(
     first = LeadRows.PIECES
     if not is_better(time, lead):
         return False
-    check = lead[LeadWork.CHECK:LeadWork.SIZE, :]
-    lower = lead[LeadWork.LOWER, :]
+    check, lower = lead[LeadWork.CHECK:LeadWork.SIZE, :], lead[LeadWork.LOWER, :]
     if last > first:
         if not begins_now(lead, coefficients):
             return False
