@@ -54,8 +54,7 @@ def extent(axis: int, given: 'float[:,:,:]') -> float:
 
 
 def admit_states(
-    states: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]',
-    links: 'float[:,:,:]',
+    states: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]'
 ) -> bool:
     """Write which states are chosen; false if none is.
 

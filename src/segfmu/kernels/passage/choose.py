@@ -285,9 +285,7 @@ def searched_states(
         path[Path.START] = gap_of(Point.FAR)
 
 
-def end_choice(
-    states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]'
-) -> None:
+def end_choice(states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]') -> None:
     """Write the states that were chosen to the waypoints at which they are free."""
     for point in range(states.shape[0]):
         own = int(place[point])

@@ -76,9 +76,7 @@ def write_products(row: 'float[:]') -> None:
             place = place + 1
 
 
-def write_least_controls(
-    order: int, first: int, grid: 'float[:,:]', square: 'float[:,:]'
-) -> None:
+def write_least_controls(order: int, first: int, grid: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write the controls of least norm that meet the conditions at the end."""
     own = square[Square.OWN:Square.RIGHT, :]
     right = square[Square.RIGHT:Square.BASIS, :]
@@ -101,9 +99,7 @@ def write_least_controls(
             grid[first + cell, GridRow.BY + j] = total
 
 
-def write_free_controls(
-    order: int, first: int, grid: 'float[:,:]', square: 'float[:,:]'
-) -> None:
+def write_free_controls(order: int, first: int, grid: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write orthogonal controls that change nothing at the ends, of the norm of a control of 1.
 
     Differences of the control's order sum every polynomial below that order to zero.

@@ -110,9 +110,8 @@ def farthest_beyond(
 
 
 def leaves_box(
-    place: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
-    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    work: 'float[:,:]',
+    place: int, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]', axes: 'float[:,:]',
+    cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> bool:
     """Whether a planned interval leaves its boxes by more than the margin."""
     for axis in range(axes.shape[0]):

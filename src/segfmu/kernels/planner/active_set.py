@@ -75,9 +75,7 @@ def insert_level(
     return solve_rotated(problem, axis, work)
 
 
-def move_instant(
-    order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def move_instant(order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Let a derivative reach its limit where it exceeds it, in place of another instant."""
     passing = work[PlanWork.PASSING, :]
     node = int(work[PlanWork.EXCESS + order, Excess.NODE])
@@ -107,9 +105,7 @@ def sequence_cost(work: 'float[:,:]') -> float:
     return sequence_duration(passing, nodes)
 
 
-def insert_instant(
-    order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def insert_instant(order: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Let a derivative that exceeds its limit reach it for an instant; false: nothing changes.
 
     Of the levels that can be inserted the best one is taken where they are compared, but for a
@@ -153,9 +149,7 @@ def insert_limit(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> b
     return order >= q - 2 and insert_instant(order, problem, axis, work)
 
 
-def stay_below(
-    place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def stay_below(place: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Let the derivative q - 1 stay below its limit at a plateau whose hold is below zero."""
     keep_sequence(PlanWork.KEPT, work)
     row = PlanWork.NODES + place
@@ -260,9 +254,7 @@ def release_plateau(work: 'float[:,:]') -> bool:
     return False
 
 
-def follow(
-    target: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def follow(target: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Solve the sequence in the rows SOLVED of `work` for other limits, as it is or changed.
 
     target: the duration that it lasts at a slower pace [s]; 0: as long as it takes.

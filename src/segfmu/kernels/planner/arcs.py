@@ -57,15 +57,8 @@ def loop_excess(
 
 
 def loop_root(
-    arc: int,
-    lower: float,
-    upper: float,
-    e_lower: float,
-    e_upper: float,
-    missing: float,
-    largest: float,
-    family: 'float[:]',
-    axis: 'float[:]',
+    arc: int, lower: float, upper: float, e_lower: float, e_upper: float, missing: float,
+    largest: float, family: 'float[:]', axis: 'float[:]',
 ) -> float:
     """Duration of the member between two places that covers the distance; sets it. -1: none."""
     if e_lower == 0.0 or e_upper == 0.0:
@@ -163,13 +156,8 @@ def arc_root(
 
 
 def loop_form(
-    last: int,
-    count: int,
-    longest: float,
-    phases: 'float[:,:]',
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    last: int, count: int, longest: float, phases: 'float[:,:]', problem: 'float[:]',
+    axis: 'float[:]', work: 'float[:,:]',
 ) -> int:
     """Replace a profile by the shortest one of all arcs up to the last one, if that is shorter.
 

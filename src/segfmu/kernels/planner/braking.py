@@ -32,9 +32,7 @@ def peak_past_zero(v: float, a: float, level: float, axis: 'float[:]') -> float:
     return ramp_extreme_velocity(v, a, level, duration, duration, axis)
 
 
-def deep_level(
-    v: float, a: float, velocity_limit: float, bottom: float, axis: 'float[:]'
-) -> float:
+def deep_level(v: float, a: float, velocity_limit: float, bottom: float, axis: 'float[:]') -> float:
     """A level past zero to which a ramp from a > 0 keeps a velocity limit; 1 if there is none.
 
     bottom: the limit of the acceleration past zero. Golden section, as far as needed: the extreme
@@ -180,11 +178,7 @@ def braked(
 
 
 def surround(
-    phases: 'float[:,:]',
-    count: int,
-    variant: int,
-    problem: 'float[:]',
-    axis: 'float[:]',
+    phases: 'float[:,:]', count: int, variant: int, problem: 'float[:]', axis: 'float[:]',
     work: 'float[:,:]',
 ) -> int:
     """Add a variant's braking phases to the others; returns the number of phases."""

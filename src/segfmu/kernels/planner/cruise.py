@@ -68,9 +68,7 @@ def cruise_form(
     return count, row, duration, y
 
 
-def with_cruise(
-    phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]'
-) -> int:
+def with_cruise(phases: 'float[:,:]', cruise: float, problem: 'float[:]', axis: 'float[:]') -> int:
     """The paper's form with the cruise that covers the distance; 0 if it is overshot."""
     distance = problem[Problem.DISTANCE]
     count, row, duration, y = cruise_form(phases, cruise, problem, axis)
@@ -84,11 +82,7 @@ def with_cruise(
 
 
 def vanishing_cruise(
-    short: float,
-    far: float,
-    start: float,
-    phases: 'float[:,:]',
-    problem: 'float[:]',
+    short: float, far: float, start: float, phases: 'float[:,:]', problem: 'float[:]',
     axis: 'float[:]',
 ) -> int:
     """The paper's form with a cruise velocity, between two, that makes the cruise vanish.

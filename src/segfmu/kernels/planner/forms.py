@@ -69,11 +69,7 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
 
 
 def shortest_between(
-    attempt: int,
-    phases: 'float[:,:]',
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    attempt: int, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
     """The shortest candidate between two boundary states, without braking; 0 if none is valid.
 

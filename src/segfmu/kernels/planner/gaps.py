@@ -50,11 +50,7 @@ def cruise_times(
 
 
 def cruise_time(
-    cruise: float,
-    covering: bool,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    phases: 'float[:,:]',
+    cruise: float, covering: bool, problem: 'float[:]', axis: 'float[:]', phases: 'float[:,:]'
 ) -> float:
     """One of both (`cruise_times`)."""
     duration, covered = cruise_times(cruise, problem, axis, phases)
@@ -64,11 +60,7 @@ def cruise_time(
 
 
 def turning_time(
-    lower: float,
-    upper: float,
-    covering: bool,
-    problem: 'float[:]',
-    axis: 'float[:]',
+    lower: float, upper: float, covering: bool, problem: 'float[:]', axis: 'float[:]',
     phases: 'float[:,:]',
 ) -> float:
     """The least `cruise_time` between two cruise velocities, by golden section."""
@@ -93,17 +85,8 @@ def turning_time(
 
 
 def insert_turn(
-    sample: int,
-    covering: bool,
-    least: float,
-    spent: float,
-    after: float,
-    fastest: float,
-    backwards: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
-    count: int,
+    sample: int, covering: bool, least: float, spent: float, after: float, fastest: float,
+    backwards: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]', count: int,
 ) -> int:
     """Insert the minimum of `cruise_time` next to a sample, which takes `least` [s]."""
     # the minimum is shorter still
@@ -126,11 +109,7 @@ def cruise_sample(sample: int, fastest: float, backwards: float) -> float:
 
 
 def turning_ends(
-    spent: float,
-    after: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    spent: float, after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
     count: int,
 ) -> int:
     """Insert the minima of `cruise_times` over all cruise velocities.
@@ -169,11 +148,7 @@ def turning_ends(
 
 
 def covering_ends(
-    spent: float,
-    after: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    work: 'float[:,:]',
+    spent: float, after: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]',
     count: int,
 ) -> int:
     """Insert the durations of all candidates of the shortest profile that cover the distance.
@@ -207,14 +182,8 @@ def covering_ends(
 
 
 def insert_covering(
-    phases: 'float[:,:]',
-    taken: int,
-    spent: float,
-    after: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    count: int,
-    ends: 'float[:,:]',
+    phases: 'float[:,:]', taken: int, spent: float, after: float, problem: 'float[:]',
+    axis: 'float[:]', count: int, ends: 'float[:,:]',
 ) -> int:
     """Insert the duration of `taken` phases, if they are valid."""
     if taken <= 0:

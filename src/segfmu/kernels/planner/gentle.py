@@ -166,9 +166,7 @@ def take_levels(share: float, gentle: 'float[:]') -> None:
         gentle[Gentle.LEVELS + i] = gentle[Gentle.LEVELS + i] + share * gentle[Gentle.STEPS + i]
 
 
-def solve_gentle(
-    attempt: int, problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]'
-) -> bool:
+def solve_gentle(attempt: int, problem: 'float[:]', axis: 'float[:]', gentle: 'float[:]') -> bool:
     """Set the levels (Gentle) that lead to the end velocity and distance; False if none is found.
 
     Each attempt, 0 to 5, begins elsewhere.

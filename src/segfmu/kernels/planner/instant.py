@@ -97,9 +97,7 @@ def highest_at_node(
     return highest
 
 
-def instant_error(
-    peak: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]'
-) -> float:
+def instant_error(peak: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]') -> float:
     """By how much the derivative of an instant exceeds its limit at the nodes around it."""
     order = int(passing[Passing.INSTANT_ORDER + peak])
     first = max(int(passing[Passing.INSTANT_FROM + peak]), 0)
@@ -121,9 +119,7 @@ def shift_instants(place: int, by: int, passing: 'float[:]') -> None:
             passing[Passing.INSTANT_TO + peak] = passing[Passing.INSTANT_TO + peak] + by
 
 
-def place_instant(
-    peak: int, order: int, sign: float, node: int, passing: 'float[:]'
-) -> None:
+def place_instant(peak: int, order: int, sign: float, node: int, passing: 'float[:]') -> None:
     """Let the derivative of an instant be that which reaches its limit near a node."""
     passing[Passing.INSTANT_ORDER + peak] = order
     passing[Passing.INSTANT_SIGN + peak] = sign

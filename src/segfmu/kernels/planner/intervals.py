@@ -30,9 +30,7 @@ SHORTEST_SAMPLE = 1e-9
 LONGEST_SAMPLE = 1e6
 
 
-def set_shortest(
-    cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
-) -> 'tuple[int, float]':
+def set_shortest(cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> 'tuple[int, float]':
     """Write the shortest profile of a cell; returns its status (PlanStatus) and duration [s]."""
     problem, phases = cell[Cell.PROBLEM, :], cell[Cell.BELOW:Cell.ABOVE, :]
     count = shortest_profile(problem, axis, phases, work)
@@ -64,9 +62,7 @@ def set_stretched(
         stretch_phases(phases, count, target / duration)
 
 
-def set_duration(
-    target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def set_duration(target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Write a profile of the given duration [s], delay included; False if that is not feasible."""
     delay = cell[Cell.PLACE, Place.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
@@ -152,14 +148,8 @@ def round_up(duration: float, sample_time: float) -> float:
 
 
 def common_duration(
-    start: float,
-    most: float,
-    sample_time: float,
-    first: int,
-    last: int,
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    work: 'float[:,:]',
+    start: float, most: float, sample_time: float, first: int, last: int, axes: 'float[:,:]',
+    cells: 'float[:,:,:]', work: 'float[:,:]',
 ) -> float:
     """The shortest duration from `start` to `most` [s] feasible for the cells first .. last - 1.
 

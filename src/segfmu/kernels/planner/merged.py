@@ -22,9 +22,7 @@ from segfmu.kernels.planner.search import canonical_search
 from segfmu.kernels.planner.sides import fastest_velocity, slowest_velocity
 
 
-def set_family(
-    branch: int, problem: 'float[:]', axis: 'float[:]', family: 'float[:]'
-) -> None:
+def set_family(branch: int, problem: 'float[:]', axis: 'float[:]', family: 'float[:]') -> None:
     """Set the canonical family (Family) of a problem on a branch 0 .. 3, by the distance.
 
     Reversal (1, 2) exchanges the boundary states, mirroring (2, 3) changes their signs; together
@@ -95,9 +93,7 @@ def same_members(branch: int, problem: 'float[:]', family: 'float[:]') -> bool:
     return a >= 0.0 and b <= 0.0
 
 
-def merged_form(
-    phases: 'float[:,:]', highest: float, family: 'float[:]', axis: 'float[:]'
-) -> int:
+def merged_form(phases: 'float[:,:]', highest: float, family: 'float[:]', axis: 'float[:]') -> int:
     """Write the member of a family that is searched for; its number of phases, -1 if none.
 
     highest [m/s2] bounds the first level; the second one alike if the problem is its own reverse.
@@ -155,11 +151,7 @@ def velocity_excess(
 
 
 def level_within(
-    outside: float,
-    e_outside: float,
-    phases: 'float[:,:]',
-    family: 'float[:]',
-    axis: 'float[:]',
+    outside: float, e_outside: float, phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float, float, float]':
     """A first level whose member keeps the velocity limit, and one above it that does not.
 
@@ -197,13 +189,8 @@ def level_within(
 
 
 def highest_within(
-    inside: float,
-    outside: float,
-    e_inside: float,
-    e_outside: float,
-    phases: 'float[:,:]',
-    family: 'float[:]',
-    axis: 'float[:]',
+    inside: float, outside: float, e_inside: float, e_outside: float, phases: 'float[:,:]',
+    family: 'float[:]', axis: 'float[:]',
 ) -> float:
     """The highest first level that keeps the velocity limit less a billionth: a bracketed root."""
     margin = NEARLY * fastest_velocity(axis)

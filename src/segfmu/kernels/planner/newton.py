@@ -106,9 +106,7 @@ def time_column(
         work[PlanWork.MATRIX + i, column] = slopes[Equations.VALUES + i]
 
 
-def newton_step(
-    count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> None:
+def newton_step(count: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
     """Write the step of all unknowns to the rows STEP of `work`; derivatives are differences."""
     passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     residual = work[PlanWork.RESIDUAL, :]

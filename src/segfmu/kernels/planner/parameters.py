@@ -34,9 +34,7 @@ SAVED = 0.6
 LONGEST = 1e60
 
 
-def axis_limits(
-    smoothness: int, shape: int, limits: 'float[:]', axis: 'float[:]'
-) -> None:
+def axis_limits(smoothness: int, shape: int, limits: 'float[:]', axis: 'float[:]') -> None:
     """Set smoothness, shape and limits of an axis (Axis): limits[i] is c_{i+1}, 0 where absent.
 
     They are the same in both directions until `set_lower`.

@@ -60,9 +60,7 @@ def append_ramp(
     return append_phase(phases, count, duration, duration, a, change, 0.0)
 
 
-def append_change(
-    phases: 'float[:,:]', count: int, a: float, b: float, axis: 'float[:]'
-) -> int:
+def append_change(phases: 'float[:,:]', count: int, a: float, b: float, axis: 'float[:]') -> int:
     """Append the fastest ramp from a to b; nothing if they are equal."""
     duration, slope = ramp_duration(abs(b - a), axis)
     return append_phase(phases, count, duration, duration, a, b - a, 0.0)
@@ -73,9 +71,7 @@ def append_hold(phases: 'float[:,:]', count: int, a: float, duration: float) -> 
     return append_phase(phases, count, duration, 0.0, a, 0.0, 0.0)
 
 
-def insert_hold(
-    phases: 'float[:,:]', count: int, row: int, a: float, duration: float
-) -> int:
+def insert_hold(phases: 'float[:,:]', count: int, row: int, a: float, duration: float) -> int:
     """Insert a phase of constant acceleration before `row`; nothing if it has no duration."""
     if duration <= 0.0:
         return count
@@ -94,9 +90,7 @@ def copy_phases(source: 'float[:,:]', target: 'float[:,:]', count: int) -> None:
             target[i, column] = source[i, column]
 
 
-def join_phases(
-    source: 'float[:,:]', count: int, phases: 'float[:,:]', used: int
-) -> int:
+def join_phases(source: 'float[:,:]', count: int, phases: 'float[:,:]', used: int) -> int:
     """Append the first `count` rows of another list to the first `used` ones; their number."""
     for i in range(count):
         for column in range(Phase.SIZE):
@@ -170,9 +164,7 @@ def steepest_acceleration(duration: float, problem: 'float[:]', axis: 'float[:]'
     return min(steepest, top_acceleration(axis))
 
 
-def speed_bound(
-    sign: float, duration: float, problem: 'float[:]', axis: 'float[:]'
-) -> float:
+def speed_bound(sign: float, duration: float, problem: 'float[:]', axis: 'float[:]') -> float:
     """Bound [m/s] of the velocities in motions between the boundary states that last a duration.
 
     In the direction of a sign it is the velocity limit, unless that is beyond what the other limits

@@ -72,11 +72,7 @@ def time_left(
 
 
 def distribute(
-    first: int,
-    last: int,
-    target: float,
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
+    first: int, last: int, target: float, axes: 'float[:,:]', cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> bool:
     """Prolong the intervals of the axes first .. last - 1 to `target` [s] in total.
@@ -99,14 +95,8 @@ def distribute(
 
 
 def prolong_from(
-    begin: int,
-    share: float,
-    first: int,
-    last: int,
-    target: float,
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    work: 'float[:,:]',
+    begin: int, share: float, first: int, last: int, target: float, axes: 'float[:,:]',
+    cells: 'float[:,:,:]', work: 'float[:,:]',
 ) -> bool:
     """Prolong the interval of cell `begin` by a share of the time that is left, then the next ones.
 
@@ -130,11 +120,7 @@ def prolong_from(
 
 
 def prolong_all(
-    first: int,
-    last: int,
-    target: float,
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
+    first: int, last: int, target: float, axes: 'float[:,:]', cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> bool:
     """Prolong the intervals of the axes first .. last - 1, in proportion, to `target` [s] in total.
@@ -205,14 +191,8 @@ def set_problems(states: 'float[:,:,:]', cells: 'float[:,:,:]') -> None:
 
 
 def plan_phases(
-    states: 'float[:,:,:]',
-    dwells: 'float[:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    options: 'float[:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    work: 'float[:,:]',
+    states: 'float[:,:,:]', dwells: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
+    options: 'float[:]', axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]',
 ) -> int:
     """Plan all intervals. Returns PLANNED or the reason of a refusal (PlanStatus).
 
@@ -244,11 +224,7 @@ def plan_phases(
 
 
 def meet_intervals(
-    first: int,
-    last: int,
-    options: 'float[:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
+    first: int, last: int, options: 'float[:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> float:
     """Give the axes first .. last - 1 common durations in every interval, if requested.
@@ -276,10 +252,7 @@ def meet_intervals(
 
 
 def synchronize_plan(
-    dwells: 'float[:]',
-    options: 'float[:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
+    dwells: 'float[:]', options: 'float[:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
     work: 'float[:,:]',
 ) -> int:
     """Give the shortest profiles common durations; status as in `plan_phases`."""

@@ -106,8 +106,8 @@ def smoothness_share(usual: float, share: float) -> float:
 
 
 def shorter_with(
-    share: float, kept: float, factor: float, axis: int, axes: 'float[:,:]',
-    cells: 'float[:,:,:]', work: 'float[:,:]',
+    share: float, kept: float, factor: float, axis: int, axes: 'float[:,:]', cells: 'float[:,:,:]',
+    work: 'float[:,:]',
 ) -> bool:
     """Plan an axis again with another share of the rises; the plan stays if it is shorter.
 

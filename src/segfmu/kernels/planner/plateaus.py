@@ -216,9 +216,7 @@ def shorten_hold(
     return True
 
 
-def touch_limit(
-    row: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def touch_limit(row: int, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Let the derivative of a plateau whose hold is below zero only touch its limit, or less."""
     keep_sequence(PlanWork.KEPT, work)
     kind = int(work[row, Node.KIND])
@@ -241,9 +239,7 @@ def add_plateau(axis: 'float[:]', work: 'float[:,:]') -> int:
     return 0
 
 
-def meet_limits(
-    longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> bool:
+def meet_limits(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Add plateaus to a solved sequence, or take their holds, until it keeps all limits.
 
     Those of low order first. False also as soon as it takes `longest` [s].

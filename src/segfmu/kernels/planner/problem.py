@@ -63,9 +63,7 @@ def change_time(size: float, derivative: int, limits: 'float[:]') -> float:
     return longest
 
 
-def axis_scale(
-    axis: int, states: 'float[:,:,:]', limits: 'float[:]'
-) -> 'tuple[float, float]':
+def axis_scale(axis: int, states: 'float[:,:,:]', limits: 'float[:]') -> 'tuple[float, float]':
     """About the largest velocity [m/s] and acceleration [m/s2] of an axis, at most its limits.
 
     A limit that is meant as none can be far beyond what the waypoints and the other limits permit.

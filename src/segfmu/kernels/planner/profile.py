@@ -211,9 +211,7 @@ def usual_braked(
     return count
 
 
-def misses_little(
-    free: float, duration: float, asked: 'float[:]', axis: 'float[:]'
-) -> bool:
+def misses_little(free: float, duration: float, asked: 'float[:]', axis: 'float[:]') -> bool:
     """Whether steeper rises may permit a profile that does not brake, or one whose acceleration
     keeps its sign. The profile with the usual rises takes `duration` [s], without the velocity
     limit `free`."""

@@ -179,9 +179,7 @@ def ramp_variance(basis: float, axis: 'float[:]') -> float:
     return variance
 
 
-def rise_moments(
-    duration: float, first: int, axis: 'float[:]'
-) -> 'tuple[float, float]':
+def rise_moments(duration: float, first: int, axis: 'float[:]') -> 'tuple[float, float]':
     """Variance and fourth cumulant over time of the fastest rise of the derivative 2 + first.
 
     They are those of its slope, seen as a density: sums over its boxes.

@@ -132,13 +132,7 @@ def taylor(
 
 
 def crossing_time(
-    a: float,
-    length: float,
-    jerk: float,
-    snap: float,
-    crackle: float,
-    pop: float,
-    highest: float,
+    a: float, length: float, jerk: float, snap: float, crackle: float, pop: float, highest: float
 ) -> float:
     """When within [0, length] an acceleration a, with these derivatives, is zero.
 

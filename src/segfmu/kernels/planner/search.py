@@ -20,9 +20,7 @@ from segfmu.kernels.planner.ramp import ramp_duration
 from segfmu.kernels.planner.records import Axis, Family, Rises
 
 
-def window_edge(
-    inside: float, outside: float, family: 'float[:]', axis: 'float[:]'
-) -> float:
+def window_edge(inside: float, outside: float, family: 'float[:]', axis: 'float[:]') -> float:
     """Bisect between a parameter that has a canonical member and one that has none."""
     for i in range(HALVINGS):
         middle = 0.5 * (inside + outside)
@@ -44,12 +42,7 @@ def canonical_value(p: float, family: 'float[:]', axis: 'float[:]') -> 'tuple[fl
 
 
 def bracketed_root(
-    lower: float,
-    upper: float,
-    f_lower: float,
-    f_upper: float,
-    family: 'float[:]',
-    axis: 'float[:]',
+    lower: float, upper: float, f_lower: float, f_upper: float, family: 'float[:]', axis: 'float[:]'
 ) -> float:
     """Parameter of the member with the target value; f_lower < target <= f_upper.
 
@@ -78,9 +71,7 @@ def bracketed_root(
     return other if abs(e_other) < abs(e_newest) else newest
 
 
-def rising_member(
-    f_start: float, end: float, family: 'float[:]', axis: 'float[:]'
-) -> float:
+def rising_member(f_start: float, end: float, family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter in (0, end) of a member up to which the distance rises to the target; -1: none.
 
     It may fall again, even between two samples. f_start is the value of the first member.
@@ -257,9 +248,7 @@ def second_window(t_zero: float, family: 'float[:]', axis: 'float[:]') -> float:
     return window_edge(upper, t_zero, family, axis)
 
 
-def farther_member(
-    lower: float, f_lower: float, family: 'float[:]', axis: 'float[:]'
-) -> float:
+def farther_member(lower: float, f_lower: float, family: 'float[:]', axis: 'float[:]') -> float:
     """Parameter beyond `lower` that covers the target, or -1; `lower` covers f_lower."""
     # if the last acceleration is at its limit, the last ramp cannot scale the family
     upper = max(family[Family.LAST_RAMP], axis[Axis.FULL_RAMP])

@@ -106,9 +106,7 @@ def advance(
         state[k] = total
 
 
-def pass_node(
-    i: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]'
-) -> None:
+def pass_node(i: int, passing: 'float[:]', axis: 'float[:]', nodes: 'float[:,:]') -> None:
     """Ramp to the level of a node; the state after it is written to the next node."""
     above = int(passing[Passing.ABOVE])
     pace = passing[Passing.PACE]

@@ -92,9 +92,7 @@ def turns_back(
     return False
 
 
-def timed_gently(
-    turning: bool, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
-) -> bool:
+def timed_gently(turning: bool, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> bool:
     """Three ramps that are slow enough to last the duration (gentle.py); False: there are none.
 
     turning: also those that turn back.
@@ -171,9 +169,7 @@ def timed_slower(
     return False
 
 
-def timed_profile(
-    target: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
-) -> float:
+def timed_profile(target: float, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """Two profiles of a cell's problem (Cell) that last `target` [s] and enclose the distance.
 
     Returns the weight of the second one, or -1 if that duration is not feasible. The motion is

@@ -38,11 +38,7 @@ def timed_cruise(
 
 
 def cruise_range(
-    phases: 'float[:,:]',
-    middle: float,
-    y: float,
-    hold: float,
-    problem: 'float[:]',
+    phases: 'float[:,:]', middle: float, y: float, hold: float, problem: 'float[:]',
     axis: 'float[:]',
 ) -> float:
     """A possible cruise velocity that, if there is one, covers at least the distance.
@@ -124,11 +120,7 @@ def is_enclosed(work: 'float[:,:]') -> bool:
 
 
 def keep_cruise(
-    cruise: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    cell: 'float[:,:]',
-    work: 'float[:,:]',
+    cruise: float, problem: 'float[:]', axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
 ) -> float:
     """Try a cruise velocity and keep its profile if it is the nearest one; returns its distance."""
     trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
@@ -138,14 +130,8 @@ def keep_cruise(
 
 
 def between_cruises(
-    lower: float,
-    upper: float,
-    e_lower: float,
-    e_upper: float,
-    problem: 'float[:]',
-    axis: 'float[:]',
-    cell: 'float[:,:]',
-    work: 'float[:,:]',
+    lower: float, upper: float, e_lower: float, e_upper: float, problem: 'float[:]',
+    axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]',
 ) -> None:
     """Search for the cruise velocity that covers the distance.
 
@@ -176,13 +162,8 @@ def between_cruises(
 
 
 def cruise_edge(
-    inside: float,
-    outside: float,
-    h_inside: float,
-    h_outside: float,
-    phases: 'float[:,:]',
-    problem: 'float[:]',
-    axis: 'float[:]',
+    inside: float, outside: float, h_inside: float, h_outside: float, phases: 'float[:,:]',
+    problem: 'float[:]', axis: 'float[:]',
 ) -> float:
     """The last possible cruise velocity between a possible one and an impossible one.
 

@@ -48,9 +48,7 @@ def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
     return sign * v + 0.5 * abs(a) * duration > NEAR * side_limit(1, sign, axis)
 
 
-def set_touching(
-    variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]'
-) -> None:
+def set_touching(variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]') -> None:
     """Set levels that alternate, with a velocity that touches its limit where braking exceeds it.
 
     There is one level more than the conditions at the end need for each place where it touches: at

@@ -89,9 +89,7 @@ def early_window(duration: float, problem: 'float[:]', axis: 'float[:]') -> floa
     return min(most * (1.0 + NEARLY), duration)
 
 
-def short_window(
-    duration: float, problem: 'float[:]', axis: 'float[:]', rest: 'float[:]'
-) -> float:
+def short_window(duration: float, problem: 'float[:]', axis: 'float[:]', rest: 'float[:]') -> float:
     """`early_window`, also where the accelerations at the ends have unlike signs, one being small.
 
     One ramp brings that one to zero. `rest` becomes the problem that is left.

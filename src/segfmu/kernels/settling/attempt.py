@@ -24,11 +24,7 @@ def outside_by(value: float, order: int, lead: 'float[:,:]') -> float:
 
 
 def hold_highest(
-    value: float,
-    length: float,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    value: float, length: float, row: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Append the piece in which the derivative n + 1 has a value; the row after it, -1: no room.
@@ -57,11 +53,7 @@ def hold_highest(
 
 
 def lead_to(
-    order: int,
-    end: float,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, end: float, row: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Append pieces that lead a derivative to a value and those above to zero.
@@ -87,11 +79,7 @@ def lead_to(
 
 
 def part_hull(
-    order: int,
-    row: int,
-    start: float,
-    length: float,
-    lead: 'float[:,:]',
+    order: int, row: int, start: float, length: float, lead: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Bernstein coefficients of a derivative on a part of a piece, from a local time on.
@@ -120,11 +108,7 @@ def is_hull_inside(count: int, low: float, high: float, lead: 'float[:,:]') -> b
 
 
 def stays_inside(
-    order: int,
-    first: int,
-    last: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, first: int, last: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
     """Whether a derivative stays inside its limits in the pieces first .. last - 1, nearly."""
@@ -142,11 +126,7 @@ def stays_inside(
 
 
 def inside_from(
-    order: int,
-    first: int,
-    last: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, first: int, last: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[int, float]':
     """The piece and its local time [s] from which on a derivative is inside its limits."""
@@ -200,12 +180,7 @@ def time_crossed(
 
 
 def turn_round(
-    order: int,
-    side: float,
-    level: float,
-    settled: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, side: float, level: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[int, int, float]':
     """The derivative above one goes to a level, as in `try_brake`, and is let go at once.
@@ -227,12 +202,7 @@ def turn_round(
 
 
 def try_brake(
-    order: int,
-    side: float,
-    level: float,
-    settled: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, side: float, level: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
     """Time [s] at which a derivative comes inside its limits for good; NEVER: it does not.

@@ -42,13 +42,8 @@ def clip_reached(lead: 'float[:,:]') -> None:
 
 
 def brake_within(
-    steep: float,
-    loose: int,
-    whole: bool,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    steep: float, loose: int, whole: bool, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> int:
     """`find_brake` with natural limits of one steepness, and loose limits (`set_box`)."""
     smoothness = limits.shape[0] - 1
@@ -76,11 +71,7 @@ def brake_within(
 
 
 def best_steepness(
-    loose: int,
-    whole: bool,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    loose: int, whole: bool, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[float, float]':
     """The steepness (`natural_limit`) of the soonest brake, 0 if there is none, and its time [s].
@@ -108,10 +99,7 @@ def best_steepness(
 
 
 def find_brake(
-    whole: bool,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    whole: bool, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Find the brake from the state in the row NOW of `lead`; the number of its pieces.
@@ -147,10 +135,7 @@ def find_brake(
 
 
 def choose_brake(
-    whole: bool,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    whole: bool, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Search for the soonest brake and keep its choices; the number of its pieces, as above."""

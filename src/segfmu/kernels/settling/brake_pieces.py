@@ -11,7 +11,8 @@ from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Brake, Check, Timing
 
 
-def note_extremes(row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
+def note_extremes(
+    row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> None:
     """Widen the extremes in the row BRAKE of `lead` by those of a piece, or by close bounds."""
     check, report = lead[LeadWork.CHECK:LeadWork.SIZE, :], lead[LeadWork.BRAKE, :]

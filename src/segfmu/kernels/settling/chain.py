@@ -45,9 +45,7 @@ def natural_limit(order: int, steep: float, axis: 'float[:]', limits: 'float[:]'
     return growth * below / shortest_scale(order - 1, limits)
 
 
-def chain_limits(
-    steep: float, axis: 'float[:]', state: 'float[:]', limits: 'float[:]'
-) -> None:
+def chain_limits(steep: float, axis: 'float[:]', state: 'float[:]', limits: 'float[:]') -> None:
     """Limits of all derivatives of an axis (Axis) by their order (Chain), natural ones for absent.
 
     A natural limit is at least twice the state (Chain), and lets the derivative below brake before
@@ -69,9 +67,7 @@ def chain_limits(
             limits[order] = bound
 
 
-def set_chains(
-    steep: float, axis: 'float[:]', limits: 'float[:]', chains: 'float[:,:]'
-) -> None:
+def set_chains(steep: float, axis: 'float[:]', limits: 'float[:]', chains: 'float[:,:]') -> None:
     """Axes (Axis) whose positions are the derivatives of order 0 .. n - 2 of an axis.
 
     steep as in `natural_limit`, limits those of `chain_limits`; chains has two rows more, as work
@@ -102,11 +98,7 @@ def set_chains(
 
 
 def lift_pieces(
-    order: int,
-    first: int,
-    last: int,
-    state: 'float[:]',
-    timing: 'float[:,:]',
+    order: int, first: int, last: int, state: 'float[:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Integrate pieces of the derivative of an order to pieces of the position, in place.

@@ -11,9 +11,7 @@ def end_rounding() -> float:
     return BESIDE
 
 
-def write_end(
-    last: int, timing: 'float[:,:]', coefficients: 'float[:,:]', end: 'float[:]'
-) -> None:
+def write_end(last: int, timing: 'float[:,:]', coefficients: 'float[:,:]', end: 'float[:]') -> None:
     """Write where the piece in the row `last` ends, and when (DelayedState)."""
     width = coefficients.shape[1]
     length = timing[last, Timing.LENGTH]
@@ -38,9 +36,7 @@ def plan_ends(
         write_end(offsets[axis + 1] - 1, timing, coefficients, ends[axis, :])
 
 
-def are_at_velocities(
-    targets: 'float[:,:]', limits: 'float[:,:]', ends: 'float[:,:]'
-) -> bool:
+def are_at_velocities(targets: 'float[:,:]', limits: 'float[:,:]', ends: 'float[:,:]') -> bool:
     """Whether all ends (axes, DelayedState) have the velocities of targets (axes, WaypointState).
 
     limits (axes, 2): of velocity and acceleration.

@@ -25,11 +25,7 @@ def level_limit(order: int, side: float, lead: 'float[:,:]') -> float:
 
 
 def deepest_level(
-    order: int,
-    side: float,
-    settled: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, side: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
     """The level from which the derivative nearly ends at its other limit, but not beyond; 0: none.
@@ -58,11 +54,7 @@ def deepest_level(
 
 
 def best_level(
-    order: int,
-    side: float,
-    settled: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, side: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[float, float]':
     """The soonest time of `try_brake`, NEVER if there is none, and its level: the deepest one."""
@@ -83,12 +75,7 @@ def best_level(
 
 
 def level_time(
-    order: int,
-    side: float,
-    gentle: float,
-    settled: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, side: float, gentle: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> 'tuple[float, float]':
     """The time of `try_brake` and its level: a part of the limit, the best one if gentle is 0."""
@@ -121,9 +108,7 @@ def side_beyond(
     return 1.0 if reached[order + 1] > 0.0 else -1.0
 
 
-def bring_highest(
-    lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
-) -> None:
+def bring_highest(lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]') -> None:
     """Bring the derivative n inside."""
     order = int(lead[LeadWork.AXIS, Axis.SMOOTHNESS])
     value = lead[LeadWork.BRAKED, order]
@@ -165,11 +150,7 @@ def bring_gently(
 
 
 def bring_inside(
-    order: int,
-    whole: bool,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, whole: bool, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> bool:
     """Bring a derivative inside, those above it are; False: no attempt does.
 

@@ -51,14 +51,8 @@ def settled_end(
 
 
 def follow_plan(
-    order: int,
-    axis: int,
-    plan_offsets: 'int[:]',
-    plan_timing: 'float[:,:]',
-    plan_coefficients: 'float[:,:]',
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, axis: int, plan_offsets: 'int[:]', plan_timing: 'float[:,:]',
+    plan_coefficients: 'float[:,:]', limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Try leads that follow the pieces of an axis to the end of a ramp."""
@@ -80,15 +74,8 @@ def follow_plan(
 
 
 def find_lead(
-    order: int,
-    within: float,
-    axis: int,
-    plan_offsets: 'int[:]',
-    plan_timing: 'float[:,:]',
-    plan_coefficients: 'float[:,:]',
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, within: float, axis: int, plan_offsets: 'int[:]', plan_timing: 'float[:,:]',
+    plan_coefficients: 'float[:,:]', limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
     """Find the shortest lead of one axis; False: none keeps the limits.
@@ -149,10 +136,7 @@ def start_search(shape: int, limits: 'float[:]', lead: 'float[:,:]') -> bool:
 
 
 def goes_on_at_level(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
     """Whether a lead over the present level is the best one so far; then steeper ones are tried.
@@ -171,11 +155,7 @@ def goes_on_at_level(
 
 
 def search_stages(
-    order: int,
-    within: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, within: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
     """Search for a lead by its stages; whether one goes on at its present level.
@@ -194,11 +174,7 @@ def search_stages(
 
 
 def improve_lead(
-    order: int,
-    within: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, within: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Search over levels where there is no lead yet.
@@ -214,13 +190,8 @@ def improve_lead(
 
 
 def search_braked(
-    order: int,
-    within: float,
-    shape: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, within: float, shape: int, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead behind a brake, or, if there is none, behind one that lets go."""
     lead[LeadWork.GIVEN, :] = lead[LeadWork.NOW, :]

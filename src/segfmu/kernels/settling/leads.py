@@ -28,9 +28,7 @@ def clear_search(lead: 'float[:,:]') -> None:
         lead[row, :] = 0.0
 
 
-def set_start(
-    axis: int, start: 'float[:,:]', lower: 'float[:,:]', lead: 'float[:,:]'
-) -> None:
+def set_start(axis: int, start: 'float[:,:]', lower: 'float[:,:]', lead: 'float[:,:]') -> None:
     """Set the state of an axis, and its limits in the negative direction, in the work space."""
     lead[LeadWork.NOW, :] = 0.0
     for i in range(min(start.shape[1], Chain.SIZE)):
@@ -77,16 +75,9 @@ def take_lead(
 
 
 def follow_whole(
-    axis: int,
-    limits: 'float[:]',
-    plan_offsets: 'int[:]',
-    plan_timing: 'float[:,:]',
-    plan_coefficients: 'float[:,:]',
-    end: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
+    axis: int, limits: 'float[:]', plan_offsets: 'int[:]', plan_timing: 'float[:,:]',
+    plan_coefficients: 'float[:,:]', end: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', offsets: 'int[:]',
 ) -> None:
     """Take the whole plan of an axis for its lead, if that ends at the velocity and sooner."""
     first = plan_offsets[axis]
@@ -125,17 +116,9 @@ def pack_leads(
 
 
 def find_leads(
-    states: 'float[:,:,:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    plan_offsets: 'int[:]',
-    plan_timing: 'float[:,:]',
-    plan_coefficients: 'float[:,:]',
-    ends: 'float[:,:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
+    states: 'float[:,:,:]', limits: 'float[:,:]', lower: 'float[:,:]', plan_offsets: 'int[:]',
+    plan_timing: 'float[:,:]', plan_coefficients: 'float[:,:]', ends: 'float[:,:]',
+    lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
 ) -> int:
     """Find the shortest lead of every axis; the first axis that has none, or -1.
 
@@ -195,13 +178,8 @@ def find_leads(
 
 
 def find_brakes(
-    start: 'float[:,:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    brakes: 'float[:,:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    start: 'float[:,:]', limits: 'float[:,:]', lower: 'float[:,:]', brakes: 'float[:,:]',
+    lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> bool:
     """Find the brakes of all axes from their states; whether there is one.
 

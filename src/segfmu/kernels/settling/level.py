@@ -30,11 +30,7 @@ def lead_end(order: int, lead: 'float[:,:]') -> float:
 
 
 def passing_phases(
-    order: int,
-    least: float,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, least: float, row: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Phases of the passing profile from the level in the row LEVEL of `lead`; 0: none is shorter.
@@ -67,12 +63,7 @@ def passing_phases(
 
 
 def settle_over_level(
-    order: int,
-    end: float,
-    least: float,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, end: float, least: float, row: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """`settle` over a level, the value `end`, in less than `least` [s].

@@ -47,13 +47,8 @@ def hopeful_time(lead: 'float[:,:]') -> float:
 
 
 def follow_level(
-    order: int,
-    level: float,
-    least: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, level: float, least: float, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> float:
     """Time [s] of a lead over a level, or over the first one of the profile behind it, and so on.
 
@@ -76,10 +71,7 @@ def follow_level(
 
 
 def search_grid(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
     """Search for the soonest lead over the level before, zero, or levels on a grid; its time [s].
@@ -101,11 +93,7 @@ def search_grid(
 
 
 def improve_level(
-    order: int,
-    least: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, least: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Improve the level of a lead that takes `least` [s] by halved steps."""
@@ -130,11 +118,7 @@ def improve_level(
 
 
 def search_levels(
-    order: int,
-    found: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, found: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead over a level; shorter ones than the best alone are kept.

@@ -40,14 +40,8 @@ def lead_to_plan(lead: 'float[:,:]') -> None:
 
 
 def join_behind(
-    states: 'float[:,:,:]',
-    dwells: 'float[:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-    times: 'float[:,:]',
+    states: 'float[:,:,:]', dwells: 'float[:]', axes: 'float[:,:]', cells: 'float[:,:,:]',
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]', times: 'float[:,:]',
     lead: 'float[:,:]',
 ) -> bool:
     """Expand planned phases into the part BEHIND, and join leads and these in the part WHOLE.
@@ -75,17 +69,9 @@ def join_behind(
 
 
 def judge_pieces(
-    states: 'float[:,:,:]',
-    times: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    brakes: 'float[:,:]',
-    lead: 'float[:,:]',
-    spare_timing: 'float[:,:]',
-    spare_coefficients: 'float[:,:]',
+    states: 'float[:,:,:]', times: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
+    offsets: 'int[:]', limits: 'float[:,:]', lower: 'float[:,:]', brakes: 'float[:,:]',
+    lead: 'float[:,:]', spare_timing: 'float[:,:]', spare_coefficients: 'float[:,:]',
 ) -> bool:
     """Whether pieces are right (`check_plan`), at first perhaps outside the limits, as a brake is.
 
@@ -127,17 +113,9 @@ def set_delayed(states: 'float[:,:,:]') -> None:
 
 
 def plan_onward(
-    states: 'float[:,:,:]',
-    dwells: 'float[:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-    times: 'float[:,:]',
-    lead: 'float[:,:]',
+    states: 'float[:,:,:]', dwells: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
+    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]', times: 'float[:,:]', lead: 'float[:,:]',
 ) -> int:
     """Plan from any state of k axes: leads, the plan behind them, joined and checked; PlanStatus.
 
@@ -190,17 +168,9 @@ def plan_onward(
 
 
 def finish_plan(
-    states: 'float[:,:,:]',
-    dwells: 'float[:]',
-    limits: 'float[:,:]',
-    lower: 'float[:,:]',
-    axes: 'float[:,:]',
-    cells: 'float[:,:,:]',
-    timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]',
-    offsets: 'int[:]',
-    times: 'float[:,:]',
-    lead: 'float[:,:]',
+    states: 'float[:,:,:]', dwells: 'float[:]', limits: 'float[:,:]', lower: 'float[:,:]',
+    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
+    offsets: 'int[:]', times: 'float[:,:]', lead: 'float[:,:]',
 ) -> int:
     """Expand, join and check what `plan_onward` has planned."""
     points = dwells.shape[0]

@@ -34,13 +34,8 @@ WORTH_STEEPER = 0.99
 
 
 def try_end(
-    order: int,
-    stage: int,
-    end: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, stage: int, end: float, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> float:
     """`try_lead` with the ends of the best lead, but one of them changed."""
     bound = lead[LeadWork.LIMITS, stage]
@@ -50,11 +45,7 @@ def try_end(
 
 
 def search_end(
-    order: int,
-    stage: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, stage: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Improve the end of one stage by halved steps; where it is any, over a grid first."""
@@ -93,10 +84,7 @@ def leads_in(time: float, lead: 'float[:,:]') -> bool:
 
 
 def try_soonest(
-    order: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Try the soonest ends of all stages, and those at the first level of what follows.
@@ -128,11 +116,7 @@ def first_free_stage(order: int) -> int:
 
 
 def improve_ends(
-    order: int,
-    within: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, within: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for better ends of the stages, one after the other, until one takes `within` [s]."""
@@ -145,13 +129,8 @@ def improve_ends(
 
 
 def try_steeper(
-    order: int,
-    within: float,
-    times: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, within: float, times: int, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> bool:
     """Try the soonest ends with derivatives that nothing limits (`set_limits`) raised so often.
 
@@ -171,11 +150,7 @@ def try_steeper(
 
 
 def search_ends(
-    order: int,
-    within: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, within: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> None:
     """Search for a lead of `within` [s] at most, else the best, by the ends of its stages."""

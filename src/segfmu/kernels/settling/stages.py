@@ -36,9 +36,7 @@ def stage_phases(order: int, end: float, free: bool, lead: 'float[:,:]') -> int:
     return shortest_ramps(problem, chain, phases, lead[LeadWork.PLAN:LeadWork.EXPANSION, :])
 
 
-def append_stage(
-    v: float, a: float, w: float, phases: 'float[:,:]', chain: 'float[:]'
-) -> int:
+def append_stage(v: float, a: float, w: float, phases: 'float[:,:]', chain: 'float[:]') -> int:
     """Phases of the fastest change from (v, a) to (w, 0); -1 if there is none."""
     top = chain[Axis.ACCELERATION]
     return append_velocity_change(phases, 0, v, a, w, top, chain[Axis.LOWER + 1], chain)
@@ -54,12 +52,7 @@ def set_stage_problem(order: int, end: float, state: 'float[:]', problem: 'float
 
 
 def append_phases(
-    order: int,
-    end: float,
-    count: int,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, end: float, count: int, row: int, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> int:
     """Append the pieces of the phases of a stage from `row` on; the row after them, -1: no room.
@@ -94,11 +87,7 @@ def append_phases(
 
 
 def run_stage(
-    order: int,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> int:
     """Append the pieces of the stage for an order from `row` on; the row after them, -1: none.
 
@@ -122,11 +111,7 @@ def drop_rounding(order: int, lead: 'float[:,:]') -> None:
 
 
 def settle(
-    order: int,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> int:
     """Settle from the row START of `lead` so that all derivatives above an order are zero.
 
@@ -139,11 +124,7 @@ def settle(
 
 
 def settle_above(
-    order: int,
-    row: int,
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, row: int, lead: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> int:
     """The same without the last stage."""
     smoothness = int(lead[LeadWork.CHAINS, Axis.SMOOTHNESS])

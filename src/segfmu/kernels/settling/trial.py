@@ -105,11 +105,7 @@ def is_better(time: float, lead: 'float[:,:]') -> bool:
 
 
 def keep_better(
-    last: int,
-    time: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    last: int, time: float, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> bool:
     """Keep a lead that takes `time` [s] and ends before the row `last`, if it is the best one."""
@@ -131,11 +127,7 @@ def keep_better(
 
 
 def try_lead(
-    order: int,
-    row: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    order: int, row: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
     """Settle from `row` on to the ends in the row ENDS; the time to the target [s].
@@ -161,10 +153,7 @@ def try_lead(
 
 
 def try_velocity(
-    row: int,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
+    row: int, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
 ) -> float:
     """`try_lead` to a velocity. The last stage has pieces only where the lead is the best one."""
@@ -189,13 +178,8 @@ def try_velocity(
 
 
 def try_level(
-    order: int,
-    level: float,
-    least: float,
-    limits: 'float[:]',
-    lead: 'float[:,:]',
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
+    order: int, level: float, least: float, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
 ) -> float:
     """Settle over a level in less than `least` [s]; its time, NEVER if it fails.
 
