@@ -290,7 +290,8 @@ TAKEOVER = Messages(
         "state of a load below its crane, or the way from there to rest leaves the range of the "
         "rope; give all ten values, or widen crane.rope_min and crane.rope_max",
         OperationStatus.WORKSPACE: "command.take_over: the way from the measured state to rest "
-        "leaves the workspace; widen workspace.*, or let the swing decay",
+        "leaves the workspace, or is beyond 1e6 m, where targets end; widen workspace.*, move the "
+        "origin, or let the swing decay",
         OperationStatus.OBSTACLE: "command.take_over: the way from the measured state to rest "
         "meets an obstacle; move that, or let the swing decay",
         OperationStatus.TRAVEL: "command.take_over: the way from the measured state to rest "

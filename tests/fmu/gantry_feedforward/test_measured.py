@@ -148,8 +148,10 @@ def test_a_crane_that_swings_is_taken_over_while_it_runs(
 def test_what_cannot_be_taken_over_is_told(native_fmus, fmus, native: bool) -> None:
     archive = native_fmus[2][0] if native else fmus[0]
     state = swing_of(LAB)
+    far = {"measured.bridge.position": 1.1e6, "workspace.x.max": 1e9, "travel.bridge.max": 1e9}
     for values, told in (
         (measured(state) | {"workspace.x.max": 0.14}, "leaves the workspace"),
+        (measured(state) | far, "beyond 1e6 m, where targets end"),
         (measured(state) | {"measured.rope.length": -1.0}, "no state of a load"),
         (measured(state) | {"drive.bridge.acceleration_max": 0.0}, "drive.*.acceleration_max"),
     ):

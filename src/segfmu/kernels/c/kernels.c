@@ -535,6 +535,7 @@ static void note_calm_state(double elapsed, array_double_2d operation, array_dou
 static void bring_back(array_double_2d operation);
 static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static bool is_hanging(array_double_1d command);
+static int64_t state_status(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
@@ -12883,6 +12884,18 @@ length = *cspan_at(&command, 21 + 0 + 2);
 paid_out = *cspan_at(&command, 16) * *cspan_at(&command, 21 + 5 + 2);
 return span_min(length, length + paid_out) > 0.0;
 }
+static int64_t state_status(array_double_1d command) {
+int64_t axis;
+if (!is_hanging(command)) {
+return 3;
+}
+for (axis = 0; axis < 3; axis += 1) {
+if (fabs(*cspan_at(&command, 21 + 0 + axis)) > 1000000.0) {
+return 4;
+}
+}
+return 0;
+}
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work) {
 array_double_1d command, state, swing;
 int64_t i, axis;
@@ -12920,13 +12933,14 @@ for (axis = 0; axis < 3; axis += 1) {
 int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
 array_double_1d progress;
 double retry;
-int64_t result;
+int64_t refused;
 progress = span_row(&operation, 4);
 *cspan_at(&progress, 16) = *cspan_at(&operation, 0, 20);
-if (!is_hanging(span_row(&operation, 0))) {
-*cspan_at(&progress, 1) = 3;
-*cspan_at(&progress, 2) = 3;
-return 3;
+refused = state_status(span_row(&operation, 0));
+if (refused != 0) {
+*cspan_at(&progress, 1) = refused;
+*cspan_at(&progress, 2) = refused;
+return refused;
 }
 put_aside(operation);
 write_measured(operation, known, work);
@@ -12937,8 +12951,8 @@ return 0;
 }
 bring_back(operation);
 *cspan_at(&progress, 4) = retry;
-result = (int64_t)(*cspan_at(&progress, 1));
-return result;
+refused = (int64_t)(*cspan_at(&progress, 1));
+return refused;
 }
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
 array_double_1d command, progress;

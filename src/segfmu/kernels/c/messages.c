@@ -434,7 +434,8 @@ bool segfmu_takeover_message(
     case 4:
         snprintf(text, size,
             "command.take_over: the way from the measured state to rest leaves the "
-            "workspace; widen workspace.*, or let the swing decay");
+            "workspace, or is beyond 1e6 m, where targets end; widen workspace.*, move "
+            "the origin, or let the swing decay");
         return true;
     case 5:
         snprintf(text, size,

@@ -51,10 +51,11 @@ def take_over_measured(
     """
     progress = operation[Operation.PROGRESS, :]
     progress[Progress.TAKES] = operation[Operation.COMMAND, Command.TAKE_OVER]
-    if not is_hanging(operation[Operation.COMMAND, :]):
-        progress[Progress.STATUS] = OperationStatus.ROPE
-        progress[Progress.REFUSED] = OperationStatus.ROPE
-        return OperationStatus.ROPE
+    refused = state_status(operation[Operation.COMMAND, :])
+    if refused != OperationStatus.TAKEN:
+        progress[Progress.STATUS] = refused
+        progress[Progress.REFUSED] = refused
+        return refused
     put_aside(operation)
     write_measured(operation, known, work)
     write_calm_aim(operation)
@@ -64,6 +65,19 @@ def take_over_measured(
     bring_back(operation)
     progress[Progress.RETRY] = retry
     return int(progress[Progress.STATUS])
+
+
+def state_status(command: 'float[:]') -> int:
+    """TAKEN for a measured state of a command that a motion can begin in; or ROPE, or WORKSPACE.
+
+    Its places are no farther away than targets are [m].
+    """
+    if not is_hanging(command):
+        return OperationStatus.ROPE
+    for axis in range(3):
+        if abs(command[Command.MEASURED + State.POSITION + axis]) > 1e6:
+            return OperationStatus.WORKSPACE
+    return OperationStatus.TAKEN
 
 
 def is_hanging(command: 'float[:]') -> bool:
