@@ -16,14 +16,7 @@ from segfmu.kernels.planner.records import (
     Refusal,
     WaypointState,
 )
-from segfmu.kernels.settling.records import (
-    Done,
-    LeadEnd,
-    LeadRows,
-    LeadTask,
-    LeadWork,
-    PlanPart,
-)
+from segfmu.kernels.settling.records import Done, LeadEnd, LeadRows, LeadTask, LeadWork, PlanPart
 from segfmu.kernels.trajectory.records import Judging, Timing
 from segfmu.planning.motion import Motion, Size, usual_rows
 from segfmu.planning.pieces import Pieces
@@ -116,9 +109,7 @@ def plan_onward(
     return _plan(space, problem, Done.NOTHING)
 
 
-def plan_behind(
-    problem: Problem, start: FloatArray, leads: Pieces, ends: FloatArray
-) -> Motion:
+def plan_behind(problem: Problem, start: FloatArray, leads: Pieces, ends: FloatArray) -> Motion:
     """Plan behind given leads, which end in states (axes, DelayedState)."""
     space = _space_of(problem, start, leads.used)
     space.put(PlanPart.LEADS, leads)
@@ -163,9 +154,7 @@ def _plan(space: Space, problem: Problem, done: int) -> tuple[Motion, int]:
     return motion, failed
 
 
-def judge_pieces(
-    problem: Problem, states: FloatArray, pieces: Pieces, times: FloatArray
-) -> bool:
+def judge_pieces(problem: Problem, states: FloatArray, pieces: Pieces, times: FloatArray) -> bool:
     """Whether the kernels prove that pieces pass states (waypoints, axes, 3 or more) at times.
 
     At first they may be outside the limits, while a state is brought inside.

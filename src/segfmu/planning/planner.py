@@ -121,9 +121,7 @@ def _within(
     raise refused
 
 
-def planned(
-    request: Request, follow: Pieces | None = None, *, brakes: bool = False
-) -> Trajectory:
+def planned(request: Request, follow: Pieces | None = None, *, brakes: bool = False) -> Trajectory:
     """The verified trajectory of a request without free states.
 
     follow, brakes: as for `solve`.

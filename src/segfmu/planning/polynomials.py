@@ -120,6 +120,4 @@ def split(
             shifted = derivative_pieces(coefficients[i : i + 1], j)[0] / float(perm(j, j))
             rest[i, j] = np.polynomial.polynomial.polyval(before[i], shifted)
     behind = before < lengths
-    return (
-        (before[first], coefficients[first]), ((lengths - before)[behind], rest[behind]),
-    )
+    return (before[first], coefficients[first]), ((lengths - before)[behind], rest[behind])

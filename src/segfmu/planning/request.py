@@ -102,9 +102,7 @@ def with_states(
     )
 
 
-def position_range(
-    position_min: Range, position_max: Range, axes: int
-) -> FloatArray | None:
+def position_range(position_min: Range, position_max: Range, axes: int) -> FloatArray | None:
     """Range of the positions [m], shape (axes, 2), infinite for no bound; None for no range."""
     if position_min is None and position_max is None:
         return None

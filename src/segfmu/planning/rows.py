@@ -122,9 +122,7 @@ def read_rows(file: Path) -> list[tuple[int, list[str]]]:
         raise InputError(f"{file}: cannot be read: {reason}") from None
     if len(data) > LARGEST:
         raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
-    rows = [
-        (number, line) for number, line in enumerate(text.splitlines(), 1) if is_row(line)
-    ]
+    rows = [(number, line) for number, line in enumerate(text.splitlines(), 1) if is_row(line)]
     delimiter = delimiter_of(rows[0][1] if rows else "")
     found = []
     for number, line in rows:

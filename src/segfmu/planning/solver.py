@@ -59,9 +59,7 @@ def solve(
     return _finished(request, motion)
 
 
-def solve_behind(
-    request: Request, leads: Pieces, ends: FloatArray
-) -> tuple[Trajectory, bool]:
+def solve_behind(request: Request, leads: Pieces, ends: FloatArray) -> tuple[Trajectory, bool]:
     """`solve` behind given leads, which end in states (axes, DelayedState)."""
     return _finished(request, plan_behind(request.problem, request.start, leads, ends))
 

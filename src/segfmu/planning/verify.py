@@ -250,9 +250,7 @@ def _jumps(trajectory: Trajectory, scales: FloatArray) -> FloatArray:
     return jumps
 
 
-def _waypoint_errors(
-    trajectory: Trajectory, limits: FloatArray, scales: FloatArray
-) -> FloatArray:
+def _waypoint_errors(trajectory: Trajectory, limits: FloatArray, scales: FloatArray) -> FloatArray:
     errors = np.zeros((len(trajectory.waypoints), trajectory.axes))
     reached = _reached(limits, trajectory.axis_durations)
     for axis in range(trajectory.axes):
@@ -278,9 +276,7 @@ def _waypoint_errors(
     return errors
 
 
-def _touched(
-    trajectory: Trajectory, axis: int, time: float, dwell: float
-) -> list[tuple[int, int]]:
+def _touched(trajectory: Trajectory, axis: int, time: float, dwell: float) -> list[tuple[int, int]]:
     """The piece of an axis that starts at `time`, and the one that starts after the dwell.
 
     There are several where the clock is too coarse to tell short pieces apart.

@@ -576,9 +576,7 @@ static int64_t insert_hold(array_double_2d phases, int64_t count, int64_t row, d
 static void copy_phases(array_double_2d source, array_double_2d target, int64_t count);
 static int64_t join_phases(array_double_2d source, int64_t count, array_double_2d phases, int64_t used);
 static void mirror_phases(array_double_2d phases, int64_t count);
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column);
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count);
-static void reverse_problem(array_double_1d problem);
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned);
 static double steepest_acceleration(double duration, array_double_1d problem, array_double_1d axis);
 static double speed_bound(double sign, double duration, array_double_1d problem, array_double_1d axis);
@@ -601,7 +599,6 @@ static double set_point(double place, double radius, array_double_1d family, arr
 static double loop_radius(int64_t arc, double place, double accuracy, double missing, double largest, array_double_1d family, array_double_1d axis);
 static bool slow_middle(double place, double radius, array_double_1d family, array_double_1d axis);
 static double usual_share(array_double_1d axis);
-static double steeper_above(void);
 static double moderate_share(void);
 static double steepest_share(void);
 static bool ramps_suffice(array_double_1d axis);
@@ -633,7 +630,6 @@ static int64_t level_within(double* result_0, double* result_1_0001, double* res
 static double highest_within(double inside, double outside, double e_inside, double e_outside, array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t tempered_form(array_double_2d phases, array_double_1d family, array_double_1d axis);
 static int64_t timed_cruise(int64_t* result_0, double* result_1_0001, double* result_2, array_double_2d phases, double cruise, array_double_1d problem, array_double_1d axis);
-static double distance_within(double change, array_double_1d problem);
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis);
 static void keep_nearest(int64_t count, array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool is_enclosed(array_double_2d work);
@@ -702,7 +698,6 @@ static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
 static double beyond_rounding(double value, double scale);
-static void mirror_problem(array_double_1d problem);
 static void mirror_search(array_double_1d problem, array_double_1d axis);
 static void reverse_search(array_double_1d problem, array_double_1d axis);
 static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d problem, array_double_1d axis);
@@ -856,7 +851,6 @@ static void clip_reached(array_double_2d lead);
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static double end_rounding(void);
 static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
 static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
 static int64_t level_order(int64_t order, array_double_2d lead);
@@ -902,7 +896,6 @@ static void search_braked(int64_t order, double within_0001, int64_t shape, arra
 static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void clear_search(array_double_2d lead);
 static void set_start(int64_t axis, array_double_2d start, array_double_2d lower, array_double_2d lead);
-static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead);
 static int64_t latest_axis(array_double_2d ends);
 static int64_t take_lead(int64_t first, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_whole(int64_t axis, array_double_1d limits, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d end, array_double_2d lead, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
@@ -13588,18 +13581,14 @@ for (i = 0; i < count; i += 1) {
 *cspan_at(&phases, i, 3) = -*cspan_at(&phases, i, 3);
 }
 }
-static void swap_entries(array_double_2d phases, int64_t i, int64_t j, int64_t column) {
-double kept;
-kept = *cspan_at(&phases, i, column);
-*cspan_at(&phases, i, column) = *cspan_at(&phases, j, column);
-*cspan_at(&phases, j, column) = kept;
-}
 static void reverse_phases(array_double_2d phases, int64_t first, int64_t count) {
 int64_t i, column;
-double end;
+double kept, end;
 for (i = 0; i < span_floor_div((count - first), 2); i += 1) {
 for (column = 0; column < 5; column += 1) {
-swap_entries(phases, first + i, count - 1 - i, column);
+kept = *cspan_at(&phases, first + i, column);
+*cspan_at(&phases, first + i, column) = *cspan_at(&phases, count - 1 - i, column);
+*cspan_at(&phases, count - 1 - i, column) = kept;
 }
 }
 for (i = first; i < count; i += 1) {
@@ -13610,15 +13599,6 @@ if (*cspan_at(&phases, i, 4) == 1.0) {
 *cspan_at(&phases, i, 3) = -*cspan_at(&phases, i, 3);
 }
 }
-}
-static void reverse_problem(array_double_1d problem) {
-double v, a;
-v = *cspan_at(&problem, 0);
-a = *cspan_at(&problem, 1);
-*cspan_at(&problem, 0) = *cspan_at(&problem, 2);
-*cspan_at(&problem, 1) = -*cspan_at(&problem, 3);
-*cspan_at(&problem, 2) = v;
-*cspan_at(&problem, 3) = -a;
 }
 static void boundary_problem(array_double_1d problem, array_double_1d axis, array_double_1d cleaned) {
 double fastest, backwards, top, bottom, velocity, acceleration, ramp, scale;
@@ -14112,9 +14092,6 @@ return 0.5 * 0.1;
 }
 return 0.1;
 }
-static double steeper_above(void) {
-return 0.2;
-}
 static double moderate_share(void) {
 return 0.2 * 0.1;
 }
@@ -14158,7 +14135,7 @@ if (level > last) {
 *cspan_at(&axis, 26 + level) = span_max(share, usual_share(axis));
 }
 if ((level + *cspan_at(&axis, 11) == 2.0) && (last + *cspan_at(&axis, 11) >= 2.0)) {
-*cspan_at(&axis, 26 + level) = steeper_above() * share;
+*cspan_at(&axis, 26 + level) = 0.2 * share;
 }
 }
 }
@@ -14880,11 +14857,6 @@ count = insert_hold(phases, count, row, 0.0, hold);
 (*result_2) = hold;
 return 0;
 }
-static double distance_within(double change, array_double_1d problem) {
-double result;
-result = 2.0 * *cspan_at(&problem, 5) * fabs(change);
-return result;
-}
 static double cruise_range(array_double_2d phases, double middle, double y, double hold, array_double_1d problem, array_double_1d axis) {
 double distance, limit, outside, missing, cruise, y_cruise, inside;
 bool failed;
@@ -14903,7 +14875,7 @@ if (cruise * limit > limit * limit) {
 cruise = limit;
 }
 for (i = 0; i < 100; i += 1) {
-if (fabs(missing) > distance_within(outside - inside, problem)) {
+if (fabs(missing) > 2.0 * *cspan_at(&problem, 5) * fabs(outside - inside)) {
 break;
 }
 timed_cruise(&count, &y_cruise, &hold, phases, cruise, problem, axis);
@@ -16445,18 +16417,21 @@ return 0.0;
 static double beyond_rounding(double value, double scale) {
 return fabs(value) <= 1e-09 * scale ? 0.0 : value;
 }
-static void mirror_problem(array_double_1d problem) {
+static void mirror_search(array_double_1d problem, array_double_1d axis) {
 int64_t i;
 for (i = 0; i < 5; i += 1) {
 *cspan_at(&problem, i) = -*cspan_at(&problem, i);
 }
-}
-static void mirror_search(array_double_1d problem, array_double_1d axis) {
-mirror_problem(problem);
 mirror_axis(axis);
 }
 static void reverse_search(array_double_1d problem, array_double_1d axis) {
-reverse_problem(problem);
+double v, a;
+v = *cspan_at(&problem, 0);
+a = *cspan_at(&problem, 1);
+*cspan_at(&problem, 0) = *cspan_at(&problem, 2);
+*cspan_at(&problem, 1) = -*cspan_at(&problem, 3);
+*cspan_at(&problem, 2) = v;
+*cspan_at(&problem, 3) = -a;
 reverse_axis(axis);
 }
 static int64_t orient(int64_t* result_0, int64_t* result_1, array_double_1d problem, array_double_1d axis) {
@@ -19690,9 +19665,6 @@ note_extremes(row, lead, timing, coefficients);
 }
 return count;
 }
-static double end_rounding(void) {
-return 1e-11;
-}
 static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end) {
 int64_t width, order;
 double length;
@@ -19707,10 +19679,10 @@ static bool is_at_velocity(double velocity, array_double_1d limits, array_double
 double missed;
 bool result;
 missed = *cspan_at(&end, 1) - velocity;
-if (fabs(missed) > end_rounding() * *cspan_at(&limits, 0)) {
+if (fabs(missed) > 1e-11 * *cspan_at(&limits, 0)) {
 return 0;
 }
-result = fabs(*cspan_at(&end, 2)) <= end_rounding() * *cspan_at(&limits, 1);
+result = fabs(*cspan_at(&end, 2)) <= 1e-11 * *cspan_at(&limits, 1);
 return result;
 }
 void segfmu_plan_ends(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d ends) {
@@ -19901,7 +19873,7 @@ double value;
 width = coefficients.shape[1];
 for (i = 1; i < span_floor_div(width, 2) + 1; i += 1) {
 value = evaluate_piece(coefficients, 400, width, 0.0, i);
-if (!(fabs(value - *cspan_at(&lead, 7, i)) <= end_rounding() * *cspan_at(&lead, 19, i))) {
+if (!(fabs(value - *cspan_at(&lead, 7, i)) <= 1e-11 * *cspan_at(&lead, 19, i))) {
 return 0;
 }
 }
@@ -20464,11 +20436,6 @@ for (i = 0; i < 2; i += 1) {
 *cspan_at(&lead, 60, i) = *cspan_at(&lower, axis, i);
 }
 }
-static void set_target(int64_t axis, array_double_2d targets, array_double_2d lead) {
-*cspan_at(&lead, 24, 4) = *cspan_at(&targets, axis, 0);
-*cspan_at(&lead, 24, 2) = *cspan_at(&targets, axis, 1);
-*cspan_at(&lead, 24, 3) = *cspan_at(&targets, axis, 2);
-}
 static int64_t latest_axis(array_double_2d ends) {
 double longest;
 int64_t axis, latest;
@@ -20570,7 +20537,9 @@ else {
 *cspan_at(&ends, axis, 6) = 0.0;
 }
 set_start(axis, span_matrix(&states, 0), lower, lead);
-set_target(axis, span_matrix(&states, 1), lead);
+*cspan_at(&lead, 24, 4) = *cspan_at(&states, 1, axis, 0);
+*cspan_at(&lead, 24, 2) = *cspan_at(&states, 1, axis, 1);
+*cspan_at(&lead, 24, 3) = *cspan_at(&states, 1, axis, 2);
 if (find_lead(order, longest, axis, plan_offsets, plan_timing, plan_coefficients, span_row(&limits, axis), lead, span_rows(&timing, found, rows), span_rows(&coefficients, found, rows))) {
 first = *cspan_at(&plan_offsets, axis) + axis * 400;
 *cspan_at(&offsets, axis + 1) = take_lead(first, span_row(&ends, axis), lead, timing, coefficients);

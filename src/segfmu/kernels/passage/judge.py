@@ -155,9 +155,7 @@ def offer_states(
     beyond = False
     for j in range(spans.shape[0]):
         slow = not spans[j, Stretch.LENGTH] <= KEPT_UP * exp(spans[j, Stretch.TIME])
-        if shorter and leaves_box(
-            j, tried, path, links, axes, cells, timing, coefficients, work
-        ):
+        if shorter and leaves_box(j, tried, path, links, axes, cells, timing, coefficients, work):
             slow = True
             beyond = True
         spans[j, Stretch.TRIED_SLOW] = slow

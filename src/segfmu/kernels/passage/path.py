@@ -128,9 +128,7 @@ def centre_path(
     try_move(0.0, path, spots, links, spans)
     value = barrier_value(theta, path, tracks, spots, links, spans, grid, square)
     for attempt in range(CENTRINGS):
-        decrease = write_step_of(
-            theta, path, tracks, spots, links, spans, grid, square, band
-        )
+        decrease = write_step_of(theta, path, tracks, spots, links, spans, grid, square, band)
         if not -NEVER < decrease < NEVER:
             return False
         longest = LARGEST_STEP
@@ -275,9 +273,7 @@ def follow_path(
         accuracy = CENTRED
         if path[Path.TERMS] > ENOUGH * gap * theta * path_total(Stretch.TIME, spans):
             accuracy = ON_THE_WAY
-        if not centre_path(
-            theta, accuracy, path, tracks, spots, links, spans, grid, square, band
-        ):
+        if not centre_path(theta, accuracy, path, tracks, spots, links, spans, grid, square, band):
             return -1.0
         reached = path[Path.TERMS] / (theta * path_total(Stretch.TIME, spans))
         theta = theta * min(FASTER, max(1.0, reached / gap))

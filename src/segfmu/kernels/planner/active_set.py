@@ -20,15 +20,7 @@ from segfmu.kernels.planner.plateaus import (
     restore_sequence,
     solve_rotated,
 )
-from segfmu.kernels.planner.records import (
-    Axis,
-    Excess,
-    Node,
-    Passing,
-    PlanWork,
-    Tighten,
-    Touch,
-)
+from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Tighten, Touch
 from segfmu.kernels.planner.sequence import sequence_duration
 
 

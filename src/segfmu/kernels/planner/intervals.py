@@ -10,12 +10,7 @@ from math import ceil
 from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.phases import (
-    append_hold,
-    is_resting,
-    stretch_phases,
-    total_duration,
-)
+from segfmu.kernels.planner.phases import append_hold, is_resting, stretch_phases, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
 from segfmu.kernels.planner.synchronize import timed_profile

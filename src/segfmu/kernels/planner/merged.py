@@ -271,9 +271,7 @@ def tempered_form(phases: 'float[:,:]', family: 'float[:]', axis: 'float[:]') ->
         if family[Family.REVERSE] != family[Family.MIRROR]:
             level = -level
         outside = max(outside, level)
-    inside, outside, e_inside, e_outside = level_within(
-        outside, e_outside, phases, family, axis
-    )
+    inside, outside, e_inside, e_outside = level_within(outside, e_outside, phases, family, axis)
     if inside < 0.0:
         return 0
     inside = highest_within(inside, outside, e_inside, e_outside, phases, family, axis)

@@ -6,12 +6,7 @@ from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.numerics.numbers import BESIDE, CLOSE, EQUAL, FINE, ROUNDED
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.records import Equations, Node, Passing, PlanWork, Tighten
-from segfmu.kernels.planner.sequence import (
-    first_row,
-    follow_change,
-    follow_node,
-    run_sequence,
-)
+from segfmu.kernels.planner.sequence import first_row, follow_change, follow_node, run_sequence
 
 # share of a time or pace by which it is changed for slopes: their errors and those of rounding are
 # about alike

@@ -6,7 +6,7 @@ have the same plan.
 """
 
 from segfmu.kernels.numerics.numbers import NEARLY
-from segfmu.kernels.planner.phases import mirror_phases, reverse_phases, reverse_problem
+from segfmu.kernels.planner.phases import mirror_phases, reverse_phases
 from segfmu.kernels.planner.records import Axis, Passing, PlanStatus, Problem
 from segfmu.kernels.planner.sides import mirror_axis, reverse_axis, top_acceleration
 
@@ -16,21 +16,20 @@ def beyond_rounding(value: float, scale: float) -> float:
     return 0.0 if abs(value) <= NEARLY * scale else value
 
 
-def mirror_problem(problem: 'float[:]') -> None:
-    """The same motion in the other direction."""
-    for i in range(Problem.DURATION):
-        problem[i] = -problem[i]
-
-
 def mirror_search(problem: 'float[:]', axis: 'float[:]') -> None:
     """Mirror a boundary problem and its limits."""
-    mirror_problem(problem)
+    for i in range(Problem.DURATION):
+        problem[i] = -problem[i]
     mirror_axis(axis)
 
 
 def reverse_search(problem: 'float[:]', axis: 'float[:]') -> None:
     """Reverse the time of a boundary problem and its limits, velocities kept."""
-    reverse_problem(problem)
+    v, a = problem[Problem.V], problem[Problem.A]
+    problem[Problem.V] = problem[Problem.W]
+    problem[Problem.A] = -problem[Problem.B]
+    problem[Problem.W] = v
+    problem[Problem.B] = -a
     reverse_axis(axis)
 
 

@@ -62,14 +62,6 @@ def usual_share(axis: 'float[:]') -> float:
     return USUAL
 
 
-def steeper_above() -> float:
-    """Share of the rise of the pop over `usual_share`, beside a limit of the crackle.
-
-    That bounds the errors of forces that are held.
-    """
-    return STEEPER
-
-
 def moderate_share() -> float:
     """Share where the limits leave no room for the usual rises, at first."""
     return STEEPER * USUAL
@@ -160,7 +152,8 @@ def plateau_parameters(share: float, axis: 'float[:]') -> bool:
                 # it costs no time, and nested steep rises leave pieces of nanoseconds
                 axis[Axis.SHARES + level] = max(share, usual_share(axis))
             if level + axis[Axis.RAISED] == 2.0 and last + axis[Axis.RAISED] >= 2.0:
-                axis[Axis.SHARES + level] = steeper_above() * share
+                # the pop beside a limit of the crackle: errors of forces that are held
+                axis[Axis.SHARES + level] = STEEPER * share
     for i in range(last):
         level = last - 1 - i
         limit = axis[Axis.JERK + level]

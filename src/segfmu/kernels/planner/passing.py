@@ -233,9 +233,7 @@ def timed_passing(
     Returns the number of its phases; 0 if that breaks a limit, or if it takes longer already.
     """
     restore_sequence(PlanWork.FOUND, work)
-    shortest = sequence_duration(
-        work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
-    )
+    shortest = sequence_duration(work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :])
     if problem[Problem.DURATION] < shortest:
         return 0
     # moving first would refuse more durations; without an instant it costs time and finds no more

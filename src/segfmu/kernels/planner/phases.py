@@ -105,13 +105,6 @@ def mirror_phases(phases: 'float[:,:]', count: int) -> None:
         phases[i, Phase.CHANGE] = -phases[i, Phase.CHANGE]
 
 
-def swap_entries(phases: 'float[:,:]', i: int, j: int, column: int) -> None:
-    """Exchange one column of two rows."""
-    kept = phases[i, column]
-    phases[i, column] = phases[j, column]
-    phases[j, column] = kept
-
-
 def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
     """The same path run from its end, velocities kept: accelerations change their sign.
 
@@ -119,7 +112,9 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
     """
     for i in range((count - first) // 2):
         for column in range(Phase.SIZE):
-            swap_entries(phases, first + i, count - 1 - i, column)
+            kept = phases[first + i, column]
+            phases[first + i, column] = phases[count - 1 - i, column]
+            phases[count - 1 - i, column] = kept
     for i in range(first, count):
         # a ramp from a to a + d, run backwards with the sign changed, goes from -(a + d) to -a
         end = phases[i, Phase.ACCELERATION] + phases[i, Phase.CHANGE]
@@ -128,15 +123,6 @@ def reverse_phases(phases: 'float[:,:]', first: int, count: int) -> None:
             # of the jerk: from a + d to a
             phases[i, Phase.ACCELERATION] = end
             phases[i, Phase.CHANGE] = -phases[i, Phase.CHANGE]
-
-
-def reverse_problem(problem: 'float[:]') -> None:
-    """Reverse the time as `reverse_phases` does."""
-    v, a = problem[Problem.V], problem[Problem.A]
-    problem[Problem.V] = problem[Problem.W]
-    problem[Problem.A] = -problem[Problem.B]
-    problem[Problem.W] = v
-    problem[Problem.B] = -a
 
 
 def boundary_problem(problem: 'float[:]', axis: 'float[:]', cleaned: 'float[:]') -> None:

@@ -180,6 +180,4 @@ def is_same(before: 'float[:,:]', state: 'float[:,:]') -> bool:
 
 def differ(before: float, value: float) -> bool:
     """Whether two numbers differ by more than rounding, relative to their size or to 1."""
-    return not (
-        is_real(value) and abs(value - before) <= ROUNDED * max(abs(value), 1.0)
-    )
+    return not (is_real(value) and abs(value - before) <= ROUNDED * max(abs(value), 1.0))

@@ -108,9 +108,7 @@ def plateau_extreme_velocity(
         if crossed:
             end = crossing_time(a, length, jerk, snap, crackle, pop, highest)
         v = v + end * a
-        v = v + end * taylor(
-            end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0
-        )
+        v = v + end * taylor(end, jerk / 2.0, snap / 3.0, crackle / 4.0, pop / 5.0, highest / 6.0)
         if crossed:
             return v
         a = a + gain

@@ -7,12 +7,7 @@ form one or several windows; within a window the distance is continuous.
 from segfmu.kernels.numerics.numbers import EQUAL, GAINED, HALVINGS, ROUNDED, SAMPLES
 from segfmu.kernels.numerics.roots import next_bracket, next_point, root_share
 from segfmu.kernels.planner.cruise import cruise_form
-from segfmu.kernels.planner.phases import (
-    copy_phases,
-    insert_hold,
-    measure_phases,
-    speed_bound,
-)
+from segfmu.kernels.planner.phases import copy_phases, insert_hold, measure_phases, speed_bound
 from segfmu.kernels.planner.records import Cell, Nearest, PlanWork, Problem
 from segfmu.kernels.planner.sides import is_beyond, slowest_velocity
 
@@ -60,7 +55,8 @@ def cruise_range(
     if cruise * limit > limit * limit:
         cruise = limit
     for i in range(HALVINGS):
-        if abs(missing) > distance_within(outside - inside, problem):
+        # the distance changes as if all velocities changed by twice as much, at most
+        if abs(missing) > 2.0 * problem[Problem.DURATION] * abs(outside - inside):
             break
         count, y_cruise, hold = timed_cruise(phases, cruise, problem, axis)
         if count >= 0 and hold >= 0.0:
@@ -92,9 +88,7 @@ def keep_nearest(
     trial, nearest = work[PlanWork.TRIAL:PlanWork.BEST, :], work[PlanWork.NEAREST, :]
     distance, target = problem[Problem.DISTANCE], problem[Problem.DURATION]
     most = slowest_velocity(axis) * (1.0 + EQUAL)
-    duration, y, end, lowest, highest = measure_phases(
-        trial, count, problem[Problem.V], most, axis
-    )
+    duration, y, end, lowest, highest = measure_phases(trial, count, problem[Problem.V], most, axis)
     if is_beyond(lowest, highest, 1.0 + EQUAL, axis):
         return
     if abs(duration - target) > GAINED * target:
@@ -191,14 +185,6 @@ def cruise_edge(
         else:
             outside = cruise
     return inside
-
-
-def distance_within(change: float, problem: 'float[:]') -> float:
-    """What a change of the cruise velocity can change the distance by [m], at most.
-
-    It is that of velocities that all change by twice as much.
-    """
-    return 2.0 * problem[Problem.DURATION] * abs(change)
 
 
 def scan_cruises(

@@ -1,9 +1,6 @@
 """The pieces of a brake: appended, cut, split, and what they reach."""
 
-from segfmu.kernels.settling.attempt import (
-    inside_from,
-    part_hull,
-)
+from segfmu.kernels.settling.attempt import inside_from, part_hull
 from segfmu.kernels.settling.brake_limits import lower_limit
 from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
 from segfmu.kernels.trajectory.cut import copy_piece

@@ -6,11 +6,6 @@ from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.records import Timing
 
 
-def end_rounding() -> float:
-    """Rounding errors of derivatives at an end of a plan or a lead, relative to the limits."""
-    return BESIDE
-
-
 def write_end(last: int, timing: 'float[:,:]', coefficients: 'float[:,:]', end: 'float[:]') -> None:
     """Write where the piece in the row `last` ends, and when (DelayedState)."""
     width = coefficients.shape[1]
@@ -23,9 +18,9 @@ def write_end(last: int, timing: 'float[:,:]', coefficients: 'float[:,:]', end: 
 def is_at_velocity(velocity: float, limits: 'float[:]', end: 'float[:]') -> bool:
     """Whether an end has a velocity [m/s], and no acceleration, up to rounding."""
     missed = end[WaypointState.VELOCITY] - velocity
-    if abs(missed) > end_rounding() * limits[0]:
+    if abs(missed) > BESIDE * limits[0]:
         return False
-    return abs(end[WaypointState.ACCELERATION]) <= end_rounding() * limits[1]
+    return abs(end[WaypointState.ACCELERATION]) <= BESIDE * limits[1]
 
 
 def plan_ends(

@@ -37,13 +37,6 @@ def set_start(axis: int, start: 'float[:,:]', lower: 'float[:,:]', lead: 'float[
         lead[LeadWork.LOWER, i] = lower[axis, i]
 
 
-def set_target(axis: int, targets: 'float[:,:]', lead: 'float[:,:]') -> None:
-    """Set where an axis goes."""
-    lead[LeadWork.TARGET, Problem.DISTANCE] = targets[axis, WaypointState.POSITION]
-    lead[LeadWork.TARGET, Problem.W] = targets[axis, WaypointState.VELOCITY]
-    lead[LeadWork.TARGET, Problem.B] = targets[axis, WaypointState.ACCELERATION]
-
-
 def latest_axis(ends: 'float[:,:]') -> int:
     """The axis that takes the longest time to the target, of those that make no haste; -1: none."""
     latest, longest = -1, -1.0
@@ -153,7 +146,9 @@ def find_leads(
         else:
             ends[axis, LeadEnd.HASTY] = 0.0
         set_start(axis, states[0, :, :], lower, lead)
-        set_target(axis, states[1, :, :], lead)
+        lead[LeadWork.TARGET, Problem.DISTANCE] = states[1, axis, WaypointState.POSITION]
+        lead[LeadWork.TARGET, Problem.W] = states[1, axis, WaypointState.VELOCITY]
+        lead[LeadWork.TARGET, Problem.B] = states[1, axis, WaypointState.ACCELERATION]
         if find_lead(
             order, longest, axis, plan_offsets, plan_timing, plan_coefficients, limits[axis, :],
             lead, timing[found:rows, :], coefficients[found:rows, :],

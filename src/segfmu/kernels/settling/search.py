@@ -12,12 +12,7 @@ from segfmu.kernels.numerics.numbers import EQUAL, FINE, NEVER
 from segfmu.kernels.planner.records import Axis, Phase
 from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.records import Lead, LeadRows, LeadStage, LeadWork
-from segfmu.kernels.settling.trial import (
-    is_settled,
-    set_limits,
-    soonest_ends,
-    try_lead,
-)
+from segfmu.kernels.settling.trial import is_settled, set_limits, soonest_ends, try_lead
 
 # steps around the best end: the first one, as a share of its limit, halved where it gains nothing
 FIRST_STEP = 0.125

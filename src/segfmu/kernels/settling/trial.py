@@ -1,12 +1,11 @@
 """One lead: settling to given ends, its time, its check, and the best one so far."""
 
-from segfmu.kernels.numerics.numbers import EQUAL, NEARLY, NEVER
+from segfmu.kernels.numerics.numbers import BESIDE, EQUAL, NEARLY, NEVER
 from segfmu.kernels.planner.phases import total_duration
 from segfmu.kernels.planner.profile import plain_profile, shortest_ramps
 from segfmu.kernels.planner.records import Axis, Problem
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.settling.chain import chain_limits, set_chains
-from segfmu.kernels.settling.ends import end_rounding
 from segfmu.kernels.settling.level import settle_over_level
 from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadWork
 from segfmu.kernels.settling.stages import append_phases, settle, settle_above, stage_phases
@@ -93,7 +92,7 @@ def begins_now(lead: 'float[:,:]', coefficients: 'float[:,:]') -> bool:
     width = coefficients.shape[1]
     for i in range(1, width // 2 + 1):
         value = evaluate_piece(coefficients, LeadRows.PIECES, width, 0.0, i)
-        if not abs(value - lead[LeadWork.NOW, i]) <= end_rounding() * lead[LeadWork.LIMITS, i]:
+        if not abs(value - lead[LeadWork.NOW, i]) <= BESIDE * lead[LeadWork.LIMITS, i]:
             return False
     return True
 
