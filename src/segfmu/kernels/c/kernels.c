@@ -13834,10 +13834,7 @@ e_other = 0.0;
 e_before = 0.0;
 falls_short = 1;
 for (i = 0; i < 100; i += 1) {
-middle = start;
-if (i > 0) {
-middle = next_point(newest, other, before, e_newest, e_other, e_before);
-}
+middle = i > 0 ? next_point(newest, other, before, e_newest, e_other, e_before) : start;
 if ((middle - newest) * (middle - other) >= 0.0) {
 if (i > 0) {
 break;
@@ -20771,10 +20768,7 @@ return 0;
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases) {
 double duration, covered;
 cruise_times(&duration, &covered, cruise, problem, axis, phases);
-if (covering) {
-return covered;
-}
-return duration;
+return covering ? covered : duration;
 }
 static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases) {
 double p, q, t_p, t_q;
@@ -20804,10 +20798,7 @@ return span_min(t_p, t_q);
 static double cruise_sample(int64_t sample, double fastest, double backwards) {
 double share;
 share = 2.0 * sample / 24 - 1.0;
-if (share < 0.0) {
-return backwards * share;
-}
-return fastest * share;
+return share < 0.0 ? backwards * share : fastest * share;
 }
 static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count) {
 array_double_2d phases, ends;
@@ -20884,10 +20875,7 @@ if (form == 0) {
 taken = slower_cruise(phases, problem, axis);
 }
 else {
-cruise = *cspan_at(&axis, 2);
-if (form == 2) {
-cruise = -*cspan_at(&axis, 9);
-}
+cruise = form == 2 ? -*cspan_at(&axis, 9) : *cspan_at(&axis, 2);
 taken = with_cruise(phases, cruise, problem, axis);
 }
 count = insert_covering(phases, taken, spent, after, problem, axis, count, ends);
@@ -23417,10 +23405,7 @@ double found;
 first = place * axes.shape[0];
 planner = span_rows(&work, 2, 242);
 found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner);
-if (found < 0.0) {
-return 1e+300;
-}
-return found;
+return found < 0.0 ? 1e+300 : found;
 }
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 double total;
@@ -23547,10 +23532,7 @@ last = span_min_int(point + 2, given.shape[0] - 1);
 after = *cspan_at(&given, last, axis, 0);
 low = span_min(span_min(here, there), span_min(before, after));
 high = span_max(span_max(here, there), span_max(before, after));
-beyond = 1e+300;
-if (room < 1e+300) {
-beyond = room * (high - low);
-}
+beyond = room < 1e+300 ? room * (high - low) : 1e+300;
 inwards = 2.0 * 1e-09 * extent(axis, given);
 low = span_max(low - beyond, *cspan_at(&axes, axis, 56) + inwards);
 high = span_min(high + beyond, *cspan_at(&axes, axis, 56 + 1) - inwards);
@@ -23623,10 +23605,7 @@ most = span_max(most, value);
 }
 }
 }
-*cspan_at(&path, 18) = 0.0;
-if (most > least) {
-*cspan_at(&path, 18) = 1e-09 * (most - least);
-}
+*cspan_at(&path, 18) = most > least ? 1e-09 * (most - least) : 0.0;
 }
 static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
 int64_t count, i, axis, side, edge;
@@ -23893,10 +23872,7 @@ result = (*cspan_at(&square, 4, pair_place(first, second)));
 return result;
 }
 static int64_t outer_column(int64_t place) {
-if (place == 4) {
-return 14;
-}
-return (int64_t)(1 + place);
+return place == 4 ? 14 : (int64_t)(1 + place);
 }
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square) {
 array_double_2d own, coupled, solved;
@@ -23967,28 +23943,19 @@ int64_t i, field, j;
 double change;
 for (i = 0; i < spots.shape[0]; i += 1) {
 for (field = 0; field < 2; field += 1) {
-change = 0.0;
-if (share > 0.0) {
-change = share * *cspan_at(&spots, i, 4, field);
-}
+change = share > 0.0 ? share * *cspan_at(&spots, i, 4, field) : 0.0;
 *cspan_at(&spots, i, 5, field) = *cspan_at(&spots, i, 3, field) + change;
 }
 }
 for (i = 0; i < links.shape[0]; i += 1) {
 for (j = 0; j < 15; j += 1) {
-change = 0.0;
-if (share > 0.0) {
-change = share * *cspan_at(&links, i, 4, j);
-}
+change = share > 0.0 ? share * *cspan_at(&links, i, 4, j) : 0.0;
 *cspan_at(&links, i, 5, j) = *cspan_at(&links, i, 3, j) + change;
 }
 *cspan_at(&links, i, 5, 0) = *cspan_at(&links, i, 3, 0);
 }
 for (j = 0; j < spans.shape[0]; j += 1) {
-change = 0.0;
-if (share > 0.0) {
-change = -log(1.0 - share * *cspan_at(&spans, j, 1));
-}
+change = share > 0.0 ? -log(1.0 - share * *cspan_at(&spans, j, 1)) : 0.0;
 *cspan_at(&spans, j, 2) = *cspan_at(&spans, j, 0) + change;
 }
 write_variables(0, path, spots, links);
@@ -24358,10 +24325,7 @@ block_rows(&begin, &end, (int64_t)(*cspan_at(&path, 15)), path, choice);
 best = span_layers(&choice, begin, end);
 smoothstep = (int64_t)(*cspan_at(&work, 0, 1)) == 0;
 write_scales_of(smoothstep, given, path, axes, spots, links, spans);
-offered = 7;
-if (is_moving(given)) {
-offered = 5;
-}
+offered = is_moving(given) ? 5 : 7;
 first = 5;
 if (*cspan_at(&path, 10) != 0.0) {
 first = 7;
@@ -24616,10 +24580,7 @@ for (axis = 0; axis < count; axis += 1) {
 for (sweep = 0; sweep < 3; sweep += 1) {
 backwards = runs_backwards(spans);
 for (k = 1; k < last; k += 1) {
-point = k;
-if (backwards) {
-point = last - k;
-}
+point = backwards ? last - k : k;
 for (spot = point * count; spot < (point + 1) * count; spot += 1) {
 for (field = 0; field < 2; field += 1) {
 if (*cspan_at(&spots, spot, 2, field) != 0.0) {
@@ -24892,10 +24853,7 @@ velocity = 4.0 * segfmu_motion_scale(0, given, limits);
 acceleration = 4.0 * segfmu_motion_scale(1, given, limits);
 for (axis = 0; axis < axes.shape[0]; axis += 1) {
 for (order = 0; order < 2; order += 1) {
-reached = velocity;
-if (order == 1) {
-reached = acceleration;
-}
+reached = order == 1 ? acceleration : velocity;
 *cspan_at(&limits, axis, order) = *cspan_at(&axes, axis, 50 + order);
 if (reached > 0.0) {
 *cspan_at(&limits, axis, order) = span_min(*cspan_at(&limits, axis, order), reached);
@@ -24970,10 +24928,7 @@ copy_states(given, span_layers(&choice, begin, end));
 *cspan_at(&path, 12) = 1e+300;
 *cspan_at(&path, 13) = plan_lengths(given, spans, axes, cells, work);
 *cspan_at(&path, 9) = gap_of(3);
-attempts = 1;
-if (is_moving(given)) {
-attempts = 2;
-}
+attempts = is_moving(given) ? 2 : 1;
 for (attempt = 0; attempt < attempts; attempt += 1) {
 search_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
 *cspan_at(&path, 9) = gap_of(0);

@@ -30,9 +30,7 @@ def write_boxes(
         after = given[last, axis, WaypointState.POSITION]
         low = min(min(here, there), min(before, after))
         high = max(max(here, there), max(before, after))
-        beyond = NEVER
-        if room < NEVER:
-            beyond = room * (high - low)
+        beyond = room * (high - low) if room < NEVER else NEVER
         # boxes are narrower by twice the margin
         inwards = 2.0 * NEARLY * extent(axis, given)
         low = max(low - beyond, axes[axis, Track.ALLOWED] + inwards)
@@ -66,8 +64,7 @@ def admit_states(
     for i in range(spots.shape[0]):
         axis = i % count
         inner = count <= i < spots.shape[0] - count
-        turns = False
-        fixed = False
+        turns, fixed = False, False
         if inner:
             here = states[i // count, axis, WaypointState.POSITION]
             for j in range(2):
@@ -126,14 +123,11 @@ def widen_boxes(
 
 def write_margin(path: 'float[:]', links: 'float[:,:,:]') -> None:
     """Write by how much a plan may leave its box: a share of the range of all of them."""
-    least = NEVER
-    most = -NEVER
+    least, most = NEVER, -NEVER
     for i in range(links.shape[0]):
         for edge in range(2):
             value = links[i, Link.BOX, edge]
             if abs(value) < NEVER:
                 least = min(least, value)
                 most = max(most, value)
-    path[Path.MARGIN] = 0.0
-    if most > least:
-        path[Path.MARGIN] = NEARLY * (most - least)
+    path[Path.MARGIN] = NEARLY * (most - least) if most > least else 0.0

@@ -72,9 +72,7 @@ def bring_down(
     acceleration = 4.0 * motion_scale(1, given, limits)
     for axis in range(axes.shape[0]):
         for order in range(2):
-            reached = velocity
-            if order == 1:
-                reached = acceleration
+            reached = acceleration if order == 1 else velocity
             limits[axis, order] = axes[axis, Track.LIMIT + order]
             if reached > 0.0:
                 limits[axis, order] = min(limits[axis, order], reached)
@@ -275,9 +273,7 @@ def searched_states(
     path[Path.BEST] = plan_lengths(given, spans, axes, cells, work)
     # the motion found depends on where the path begins, so each is tried if given states move
     path[Path.START] = gap_of(Point.NEAR)
-    attempts = 1
-    if is_moving(given):
-        attempts = 2
+    attempts = 2 if is_moving(given) else 1
     for attempt in range(attempts):
         search_states(
             choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work

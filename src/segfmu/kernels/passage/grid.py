@@ -78,8 +78,7 @@ def write_products(row: 'float[:]') -> None:
 
 def write_least_controls(order: int, first: int, grid: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write the controls of least norm that meet the conditions at the end."""
-    own = square[Square.OWN:Square.RIGHT, :]
-    right = square[Square.RIGHT:Square.BASIS, :]
+    own, right = square[Square.OWN:Square.RIGHT, :], square[Square.RIGHT:Square.BASIS, :]
     for i in range(order):
         for j in range(order):
             own[i, j] = 0.0

@@ -70,9 +70,7 @@ def common_length(
     first = place * axes.shape[0]
     planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
     found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner)
-    if found < 0.0:
-        return NEVER
-    return found
+    return NEVER if found < 0.0 else found
 
 
 def plan_lengths(
@@ -151,13 +149,11 @@ def offer_states(
             spans[j, Stretch.LENGTH] = common_length(j, NEVER, axes, cells, work)
             total = total + spans[j, Stretch.LENGTH]
         shorter = total < path[Path.BEST]
-    count = 0
-    beyond = False
+    count, beyond = 0, False
     for j in range(spans.shape[0]):
         slow = not spans[j, Stretch.LENGTH] <= KEPT_UP * exp(spans[j, Stretch.TIME])
         if shorter and leaves_box(j, tried, path, links, axes, cells, timing, coefficients, work):
-            slow = True
-            beyond = True
+            slow, beyond = True, True
         spans[j, Stretch.TRIED_SLOW] = slow
         if slow:
             count = count + 1

@@ -26,8 +26,7 @@ def row_change(
     A column has a power of the duration, and the share that of its derivative less.
     """
     derivative = int(grid[row, GridRow.ORDER])
-    slope = 0.0
-    bend = 0.0
+    slope, bend = 0.0, 0.0
     for power in range(3):
         part = 0.0
         if power == 0:
@@ -140,15 +139,12 @@ def hessian_entry(one: int, other: int, square: 'float[:,:]') -> float:
 
 def outer_column(place: int) -> int:
     """The column (GridColumn) of a state at an end or the duration, by its place in Solved."""
-    if place == Solved.TIME:
-        return int(GridColumn.TIME)
-    return int(GridColumn.ENDS + place)
+    return int(GridColumn.TIME) if place == Solved.TIME else int(GridColumn.ENDS + place)
 
 
 def eliminate(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write the components by what is around them, and what is left of slope and curvature."""
-    own = square[Square.OWN:Square.RIGHT, :]
-    coupled = square[Square.RIGHT:Square.BASIS, :]
+    own, coupled = square[Square.OWN:Square.RIGHT, :], square[Square.RIGHT:Square.BASIS, :]
     solved = link[Link.SOLVED:Link.KEPT, :]
     for i in range(count):
         for j in range(count):

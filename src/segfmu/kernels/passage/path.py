@@ -61,21 +61,15 @@ def try_move(
     """Write the tried point: the point of the path plus a share of the step."""
     for i in range(spots.shape[0]):
         for field in range(Free.SIZE):
-            change = 0.0
-            if share > 0.0:
-                change = share * spots[i, Spot.STEP, field]
+            change = share * spots[i, Spot.STEP, field] if share > 0.0 else 0.0
             spots[i, Spot.TRIAL, field] = spots[i, Spot.SHARE, field] + change
     for i in range(links.shape[0]):
         for j in range(GridColumn.SIZE):
-            change = 0.0
-            if share > 0.0:
-                change = share * links[i, Link.STEP, j]
+            change = share * links[i, Link.STEP, j] if share > 0.0 else 0.0
             links[i, Link.TRIAL, j] = links[i, Link.POINT, j] + change
         links[i, Link.TRIAL, GridColumn.DISTANCE] = links[i, Link.POINT, GridColumn.DISTANCE]
     for j in range(spans.shape[0]):
-        change = 0.0
-        if share > 0.0:
-            change = -log(1.0 - share * spans[j, Stretch.STEP])
+        change = -log(1.0 - share * spans[j, Stretch.STEP]) if share > 0.0 else 0.0
         spans[j, Stretch.TRIAL] = spans[j, Stretch.TIME] + change
     write_variables(False, path, spots, links)
 
@@ -208,8 +202,7 @@ def write_times(
 ) -> None:
     """Write durations of the tried point: the least of some that keeps half of the limits."""
     axes = int(path[Path.AXES])
-    least = 0.0
-    reach = 0.0
+    least, reach = 0.0, 0.0
     for axis in range(axes):
         limit = tracks[axis, Track.LIMIT]
         least = max(least, limit / tracks[axis, Track.LIMIT + 1])

@@ -173,9 +173,7 @@ def polish_states(
     for sweep in range(SWEEPS):
         backwards = runs_backwards(spans)
         for k in range(1, last):
-            point = k
-            if backwards:
-                point = last - k
+            point = last - k if backwards else k
             for spot in range(point * count, (point + 1) * count):
                 for field in range(Free.SIZE):
                     if spots[spot, Spot.CHOSEN, field] != 0.0:

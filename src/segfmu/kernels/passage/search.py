@@ -208,8 +208,7 @@ def try_path(
     Between rests the last point alone, which is the shortest. False if the path has none, or none
     that can be faster; the last one is offered all the same, as a ramp can be shorter than a cell.
     """
-    path = tools[Tools.PATH, :]
-    grid = tools[Tools.GRID:Tools.SQUARE, :]
+    path, grid = tools[Tools.PATH, :], tools[Tools.GRID:Tools.SQUARE, :]
     square = tools[Tools.SQUARE:Tools.SIZE, :]
     begin, end = block_rows(Block.GIVEN, path, choice)
     given = choice[begin:end, :, :]
@@ -219,9 +218,7 @@ def try_path(
     best = choice[begin:end, :, :]
     smoothstep = int(work[MotionWork.OPTIONS, PlanOptions.SHAPE]) == Shape.SMOOTHSTEP
     write_scales_of(smoothstep, given, path, axes, spots, links, spans)
-    offered = Point.LAST
-    if is_moving(given):
-        offered = Point.FIRST
+    offered = Point.FIRST if is_moving(given) else Point.LAST
     first = Point.FIRST
     if path[Path.FOLLOWED] != 0.0:
         first = Point.LAST

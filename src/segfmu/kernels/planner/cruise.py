@@ -95,9 +95,7 @@ def vanishing_cruise(
     before = other
     e_newest, e_other, e_before, falls_short = 0.0, 0.0, 0.0, True
     for i in range(HALVINGS):
-        middle = start
-        if i > 0:
-            middle = next_point(newest, other, before, e_newest, e_other, e_before)
+        middle = next_point(newest, other, before, e_newest, e_other, e_before) if i > 0 else start
         if (middle - newest) * (middle - other) >= 0.0:
             if i > 0:
                 break

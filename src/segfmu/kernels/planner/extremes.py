@@ -68,8 +68,7 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     ramps can take its place (Nearest.KNOWN). False if the distance is not possible, or neither is
     found.
     """
-    problem = work[PlanWork.PROBLEM, :]
-    nearest = work[PlanWork.NEAREST, :]
+    problem, nearest = work[PlanWork.PROBLEM, :], work[PlanWork.NEAREST, :]
     distance = problem[Problem.DISTANCE]
     known = nearest[Nearest.KNOWN]
     for i in range(2):

@@ -54,9 +54,7 @@ def cruise_time(
 ) -> float:
     """One of both (`cruise_times`)."""
     duration, covered = cruise_times(cruise, problem, axis, phases)
-    if covering:
-        return covered
-    return duration
+    return covered if covering else duration
 
 
 def turning_time(
@@ -103,9 +101,7 @@ def insert_turn(
 def cruise_sample(sample: int, fastest: float, backwards: float) -> float:
     """One of 25 cruise velocities up to the fastest one, in both directions."""
     share = 2.0 * sample / SAMPLES - 1.0
-    if share < 0.0:
-        return backwards * share
-    return fastest * share
+    return backwards * share if share < 0.0 else fastest * share
 
 
 def turning_ends(
@@ -117,16 +113,12 @@ def turning_ends(
     `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    first = NEVER
-    second = NEVER
-    first_covered = NEVER
-    second_covered = NEVER
+    first, second, first_covered, second_covered = NEVER, NEVER, NEVER, NEVER
     # gaps that end later are of no use
     fastest = speed_bound(1.0, 4.0 * after, problem, axis)
     backwards = speed_bound(-1.0, 4.0 * after, problem, axis)
     for i in range(SAMPLES + 2):
-        third = NEVER
-        third_covered = NEVER
+        third, third_covered = NEVER, NEVER
         if i < SAMPLES + 1:
             cruise = cruise_sample(i, fastest, backwards)
             third, third_covered = cruise_times(cruise, problem, axis, phases)
@@ -156,16 +148,13 @@ def covering_ends(
     `spent` is the duration of braking, `count` the number of durations; returns the new number.
     """
     phases = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    ends = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :]
-    family = work[PlanWork.FAMILY, :]
+    ends, family = work[PlanWork.GAP_ENDS:PlanWork.NEAREST, :], work[PlanWork.FAMILY, :]
     usual = usual_duration(problem, axis)
     for form in range(3):
         if form == 0:
             taken = slower_cruise(phases, problem, axis)
         else:
-            cruise = axis[Axis.VELOCITY]
-            if form == 2:
-                cruise = -axis[Axis.LOWER]
+            cruise = -axis[Axis.LOWER] if form == 2 else axis[Axis.VELOCITY]
             taken = with_cruise(phases, cruise, problem, axis)
         count = insert_covering(phases, taken, spent, after, problem, axis, count, ends)
     for branch in range(4):

@@ -42,8 +42,7 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
 
     It is that in the rows SOLVED of `work`. False if that fails, or takes `longest` [s] or more.
     """
-    passing = work[PlanWork.PASSING, :]
-    nodes = work[PlanWork.NODES:PlanWork.KEPT, :]
+    passing, nodes = work[PlanWork.PASSING, :], work[PlanWork.NODES:PlanWork.KEPT, :]
     steps = work[PlanWork.TIGHTEN, :]
     measure_excess(axis, work)
     for order in range(1, int(passing[Passing.ABOVE]) + 2):
@@ -51,20 +50,16 @@ def tighten(longest: float, problem: 'float[:]', axis: 'float[:]', work: 'float[
     # the ramps that it started from can take much longer
     passing[Passing.TIME] = sequence_duration(passing, nodes)
     keep_sequence(PlanWork.SOLVED, work)
-    most = ALL
-    each = EACH
-    least = SMALL
+    most, each, least = ALL, EACH, SMALL
     if longest > LONGER * passing[Passing.TIME]:
-        most = ALL_LONGER
-        least = LEAST_LONGER
+        most, least = ALL_LONGER, LEAST_LONGER
     if compares_levels(axis):
         most = most + ALL_LONGER
         each = EACH_COMPARED
     steps[Tighten.STEPS] = 0.0
     steps[Tighten.MOVING] = 0.0
     target = passing[Passing.TARGET]
-    reached = 0.0
-    step = 1.0
+    reached, step = 0.0, 1.0
     while step > least and steps[Tighten.STEPS] < most:
         steps[Tighten.MOST] = min(steps[Tighten.STEPS] + each, most)
         share = min(reached + step, 1.0)
