@@ -545,6 +545,7 @@ _COMMON = (
     entry(
         "passage.choose", "end_choice", states=("points", "axes", WaypointState.SIZE),
         place="points", choice=("5 * points", "axes", WaypointState.SIZE),
+        axes=("axes", Track.SIZE),
     ),
     entry(
         "limits.places", "write_free", states=("points", Vector.SIZE, WaypointState.SIZE),

@@ -1099,6 +1099,10 @@ static double tried_length(int64_t point, int64_t axis, array_double_3d states, 
 static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool runs_backwards(array_double_2d spans);
 static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static double few_digits(double value);
+static void measure_states(int64_t axis, int64_t places, double slowest, array_double_3d choice, array_double_1d track);
+static void take_units(int64_t places, array_double_3d choice, array_double_2d limits, array_double_2d lower, array_double_2d axes);
+static void return_states(int64_t point, array_double_3d choice, array_double_2d axes);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static bool is_real(double value);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
@@ -24600,6 +24604,81 @@ total = total + *cspan_at(&spans, j, 10);
 }
 return total;
 }
+static double few_digits(double value) {
+double size, step, digits;
+size = fabs(value);
+if (!((0.0 < size) && (size < 1e+300))) {
+return value;
+}
+step = pow(2.0, (double)((int64_t)floor(log(size) / log(2.0)))) / 17179869184.0;
+digits = step * (int64_t)floor(size / step + 0.5);
+if (value < 0.0) {
+digits = -digits;
+}
+return digits;
+}
+static void measure_states(int64_t axis, int64_t places, double slowest, array_double_3d choice, array_double_1d track) {
+double length, before, position, here, state;
+int64_t point, field;
+length = *cspan_at(&track, 58) * *cspan_at(&track, 58) / *cspan_at(&track, 58 + 1);
+before = *cspan_at(&choice, 0, axis, 0);
+position = 0.0;
+for (point = 0; point < places; point += 1) {
+here = *cspan_at(&choice, point, axis, 0);
+position = position + few_digits((here - before) / length);
+before = here;
+*cspan_at(&choice, point, axis, 0) = position;
+for (field = 0; field < 2; field += 1) {
+state = *cspan_at(&choice, point, axis, 1 + field) / *cspan_at(&track, 58 + field);
+state = few_digits(state);
+if (field == 0) {
+state = span_min(span_max(state, -slowest), 1.0);
+}
+*cspan_at(&choice, point, axis, 1 + field) = state;
+}
+}
+}
+static void take_units(int64_t places, array_double_3d choice, array_double_2d limits, array_double_2d lower, array_double_2d axes) {
+double time, speed, length, first, edge, unit;
+int64_t axis, side, order;
+time = *cspan_at(&limits, 0, 0) / *cspan_at(&limits, 0, 1);
+for (axis = 0; axis < axes.shape[0]; axis += 1) {
+speed = *cspan_at(&limits, axis, 0);
+length = speed * time;
+*cspan_at(&axes, axis, 58) = speed;
+*cspan_at(&axes, axis, 58 + 1) = speed / time;
+first = *cspan_at(&choice, 0, axis, 0);
+for (side = 0; side < 2; side += 1) {
+edge = *cspan_at(&axes, axis, 56 + side);
+if (fabs(edge) < 1e+300) {
+*cspan_at(&axes, axis, 56 + side) = few_digits((edge - first) / length);
+}
+}
+*cspan_at(&lower, axis, 0) = *cspan_at(&lower, axis, 0) / speed;
+*cspan_at(&lower, axis, 1) = few_digits(*cspan_at(&lower, axis, 1) / *cspan_at(&axes, axis, 58 + 1));
+unit = length;
+for (order = 0; order < limits.shape[1]; order += 1) {
+unit = unit / time;
+if (*cspan_at(&limits, axis, order) < 1e+300) {
+*cspan_at(&limits, axis, order) = few_digits(*cspan_at(&limits, axis, order) / unit);
+}
+}
+measure_states(axis, places, *cspan_at(&lower, axis, 0), choice, span_row(&axes, axis));
+}
+}
+static void return_states(int64_t point, array_double_3d choice, array_double_2d axes) {
+int64_t axis, field;
+double state;
+for (axis = 0; axis < axes.shape[0]; axis += 1) {
+for (field = 0; field < 2; field += 1) {
+state = *cspan_at(&choice, point, axis, 1 + field);
+if (state != 0.0) {
+state = state * *cspan_at(&axes, axis, 58 + field);
+}
+*cspan_at(&choice, point, axis, 1 + field) = state;
+}
+}
+}
 static int64_t check_limits(array_double_2d limits, array_double_1d report) {
 int64_t axis, order;
 for (axis = 0; axis < limits.shape[0]; axis += 1) {
@@ -24878,6 +24957,7 @@ if (!(*cspan_at(&lower, axis, order) > 0.0)) {
 }
 }
 bring_down(span_layers(&choice, 0, places), limits, lower, axes);
+take_units(places, choice, limits, lower, axes);
 *cspan_at(&path, 3) = axes.shape[0];
 *cspan_at(&path, 4) = places;
 *cspan_at(&path, 6) = 0.0;
@@ -25027,10 +25107,13 @@ copy_states(best, kept);
 }
 copy_states(kept, part);
 }
-void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice) {
+void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice, array_double_2d axes) {
 int64_t point, own;
 for (point = 0; point < states.shape[0]; point += 1) {
 own = (int64_t)(*cspan_at(&place, point));
+if ((point == 0) || (own != (int64_t)(*cspan_at(&place, point - 1)))) {
+return_states(own, choice, axes);
+}
 take_states(0, span_matrix(&choice, own), span_matrix(&states, point));
 }
 }

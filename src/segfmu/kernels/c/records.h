@@ -1171,7 +1171,8 @@ enum {
     TRACK_SNAP_LIMIT = 53,
     TRACK_MIDDLE = 54,
     TRACK_ALLOWED = 56,
-    TRACK_SIZE = 58
+    TRACK_UNIT = 58,
+    TRACK_SIZE = 60
 };
 
 enum {

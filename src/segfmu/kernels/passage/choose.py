@@ -19,6 +19,7 @@ from segfmu.kernels.passage.path import gap_of
 from segfmu.kernels.passage.polish import polish_states
 from segfmu.kernels.passage.records import Block, Free, Path, Point, Spot, Tools, Track
 from segfmu.kernels.passage.search import block_rows, may_beat, search_states, write_tracks
+from segfmu.kernels.passage.units import return_states, take_units
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
@@ -47,6 +48,7 @@ def begin_choice(
                 lower[axis, order] = limits[axis, order]
             axes[axis, Track.ALLOWED + order] = allowed[axis, order]
     bring_down(choice[0:places, :, :], limits, lower, axes)
+    take_units(places, choice, limits, lower, axes)
     path[Path.AXES] = axes.shape[0]
     path[Path.PLACES] = places
     path[Path.LAST] = 0.0
@@ -281,8 +283,12 @@ def searched_states(
         path[Path.START] = gap_of(Point.FAR)
 
 
-def end_choice(states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]') -> None:
+def end_choice(
+    states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]', axes: 'float[:,:]'
+) -> None:
     """Write the states that were chosen to the waypoints at which they are free."""
     for point in range(states.shape[0]):
         own = int(place[point])
+        if point == 0 or own != int(place[point - 1]):
+            return_states(own, choice, axes)
         take_states(False, choice[own, :, :], states[point, :, :])

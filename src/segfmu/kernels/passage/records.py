@@ -57,6 +57,7 @@ class Track(Axis):
     SNAP_LIMIT = field("limit of the snap; 1e300: none", "m/s4")
     MIDDLE = field("of the ranges of velocity and acceleration", "m/s, m/s2", size=2)
     ALLOWED = field("range of the positions", "m", size=2)
+    UNIT = field("of velocity and acceleration, in those that are given", "m/s, m/s2", size=2)
 
 
 class Block(Codes):
