@@ -17423,13 +17423,16 @@ return peak;
 static bool set_sequence(int64_t attempt, int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing;
 int64_t q, i, row;
-double factor;
+double peak, duration, speed, factor;
 passing = span_row(&work, 101);
 q = (int64_t)(*cspan_at(&axis, 38)) + 2;
-begin_sequence(total_duration(phases, count), peak_acceleration(count, phases), axis, passing);
-if ((*cspan_at(&passing, 4) == 0.0) || has_dip(phases, count)) {
+peak = peak_acceleration(count, phases);
+if ((peak == 0.0) || has_dip(phases, count)) {
 return 0;
 }
+duration = total_duration(phases, count);
+speed = span_max(fabs(*cspan_at(&problem, 0)), fabs(*cspan_at(&problem, 2)));
+begin_sequence(duration, span_max(peak, 0.001 * speed / duration), axis, passing);
 copy_levels(count, phases, *cspan_at(&problem, 0), axis, work);
 if (!is_square(passing, span_rows(&work, 102, 120))) {
 set_alternating(1.0, 0.7 * *cspan_at(&passing, 3) / q, work);

@@ -6,7 +6,7 @@ levels that alternate.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import NEARLY, NEVER
+from segfmu.kernels.numerics.numbers import FINE, NEARLY, NEVER
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
@@ -142,10 +142,14 @@ def set_sequence(
     """Set what Newton's method starts from in an attempt; False if it is that of another one."""
     passing = work[PlanWork.PASSING, :]
     q = int(axis[Axis.ABOVE]) + 2
-    begin_sequence(total_duration(phases, count), peak_acceleration(count, phases), axis, passing)
+    peak = peak_acceleration(count, phases)
     # a cruise alone has no ramps to start from, and nothing is shorter; a dip has other levels
-    if passing[Passing.ACCELERATION] == 0.0 or has_dip(phases, count):
+    if peak == 0.0 or has_dip(phases, count):
         return False
+    duration = total_duration(phases, count)
+    # what little changes a velocity is known to the digits of the velocity
+    speed = max(abs(problem[Problem.V]), abs(problem[Problem.W]))
+    begin_sequence(duration, max(peak, FINE * speed / duration), axis, passing)
     copy_levels(count, phases, problem[Problem.V], axis, work)
     if not is_square(passing, work[PlanWork.NODES:PlanWork.KEPT, :]):
         set_alternating(1.0, ALTERNATING * passing[Passing.TIME] / q, work)
