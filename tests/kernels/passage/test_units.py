@@ -9,9 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan
-from segfmu.kernels.passage.units import DIGITS, few_digits
+from segfmu.kernels.passage.units import few_digits
 from segfmu.planning.limits import NAMES
 
+DIGITS = 2.0**34
 MISSIONS = list(missions(4, (4, 6), 3))
 CHANGES = [(3.0, 1.0, 0.0), (1.0, 0.7, 0.0), (1.0, 1.0, 37.1), (-1.0, 1.0, 0.0)]
 

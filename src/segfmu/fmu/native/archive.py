@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import lzma
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from segfmu.fmu.models import named
@@ -120,7 +122,15 @@ def _unit(texts: Iterable[str]) -> str:
 def _packaged(package: str, names: Iterable[str]) -> dict[str, bytes]:
     """Sources of a package by the last part of their names."""
     folder = files(package).joinpath("c")
-    return {n.rpartition("/")[2]: folder.joinpath(*n.split("/")).read_bytes() for n in names}
+    return {n.rpartition("/")[2]: source(folder, n) for n in names}
+
+
+def source(folder: Traversable, name: str) -> bytes:
+    """A source; wheels have the largest one compressed (setup.py)."""
+    place = folder.joinpath(*name.split("/"))
+    if place.is_file():
+        return place.read_bytes()
+    return lzma.decompress(folder.joinpath(*f"{name}.xz".split("/")).read_bytes())
 
 
 def entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 
 # bits of the last byte, of the place, and of its alignment by which bytes are foretold: usual, and
 # what instructions of 4 bytes and of any size are like
-CONTEXTS = ((3, 0, 2), (2, 2, 2), (4, 0, 0))
+CONTEXTS = ((3, 0, 2), (2, 2, 2), (4, 0, 1), (2, 0, 0))
 FAST, SMALL = 1, 9 | lzma.PRESET_EXTREME
 
 

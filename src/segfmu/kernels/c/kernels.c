@@ -24608,17 +24608,12 @@ total = total + *cspan_at(&spans, j, 10);
 return total;
 }
 static double few_digits(double value) {
-double size, step, digits;
-size = fabs(value);
-if (!((0.0 < size) && (size < 1e+300))) {
+double shifted;
+if (!(fabs(value) < 1e+300)) {
 return value;
 }
-step = pow(2.0, (double)((int64_t)floor(log(size) / log(2.0)))) / 17179869184.0;
-digits = step * (int64_t)floor(size / step + 0.5);
-if (value < 0.0) {
-digits = -digits;
-}
-return digits;
+shifted = 524289.0 * value;
+return shifted - (shifted - value);
 }
 static void measure_states(int64_t axis, int64_t places, double slowest, array_double_3d choice, array_double_1d track) {
 double length, before, position, here, state;

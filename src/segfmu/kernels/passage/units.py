@@ -5,26 +5,20 @@ limit. What is given is rounded in these units, so a mission in other units, or 
 is the same problem but for bits that rounding removes.
 """
 
-from math import floor, log
-
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.records import Free, Track
 from segfmu.kernels.planner.records import WaypointState
 
-# numbers keep 34 binary digits
-DIGITS = 17179869184.0
+# one more than 2^19: numbers keep 34 of 53 binary digits
+SPLIT = 524289.0
 
 
 def few_digits(value: float) -> float:
-    """A number without its last digits; zero, NEVER and what is beyond stay."""
-    size = abs(value)
-    if not (0.0 < size and size < NEVER):
+    """A number without its last digits, by Veltkamp's splitting; NEVER and what is beyond stay."""
+    if not abs(value) < NEVER:
         return value
-    step = 2.0 ** floor(log(size) / log(2.0)) / DIGITS
-    digits = step * floor(size / step + 0.5)
-    if value < 0.0:
-        digits = -digits
-    return digits
+    shifted = SPLIT * value
+    return shifted - (shifted - value)
 
 
 def take_units(
