@@ -57,7 +57,7 @@ def test_what_linear_programs_find_is_planned(n: int, number: int, share: float)
 def test_mirrored_and_in_other_units_it_is_the_same(n: int, number: int) -> None:
     problem = case(n, number)
     duration = within(problem).duration
-    for scale in (-1.0, 1e-3, 300.0):
+    for scale in (-1.0, 1e-3, 300.0, 1e60):
         assert within(problem, scale).duration == pytest.approx(duration, rel=1e-9)
 
 
@@ -103,6 +103,21 @@ def test_a_longer_interval_moves_what_follows() -> None:
     assert later[0] == 0.0 and later[1] > 0.1 and later[2] == pytest.approx(later[1])
     assert found.duration / 0.01 == pytest.approx(round(found.duration / 0.01), abs=1e-9)
     assert found.axis_durations == pytest.approx(free.axis_durations + later[1])
+
+
+@pytest.mark.parametrize(
+    ("length", "time"),
+    [(1e-200, 1e-20), (1e-120, 1e30), (1e120, 1e-20), (1e120, 1e40), (1e200, 1e40)],
+)
+def test_the_ends_of_all_scales_are_planned_or_refused(length: float, time: float) -> None:
+    problem = case(4, 24)
+    powers = length / time ** np.arange(problem.limits.shape[1] + 1.0)
+    changed = TwoAxes(
+        length * problem.positions, powers[1] * problem.velocities,
+        powers[2] * problem.accelerations, powers[1:] * problem.limits,
+    )
+    duration = changed.duration(*changed.allowed)
+    assert duration is None or duration > 0.0
 
 
 def test_a_given_duration_is_kept_or_refused() -> None:

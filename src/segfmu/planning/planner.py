@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import inf
 
+import numpy as np
+
 from segfmu.arrays import FloatArray, Range, finite_number, require_callable, shown
 from segfmu.errors import InfeasibleError, InputError
 from segfmu.planning.demands import require, require_positions
@@ -95,7 +97,11 @@ def plan(
     allowed = position_range(position_min, position_max, len(request.axis_names))
     chosen = choose_states(request, _share("overshoot", overshoot), progress, allowed)
     trajectory = planned(chosen)
-    return trajectory if allowed is None else _within(allowed, trajectory, chosen, request)
+    if allowed is None:
+        return trajectory
+    # at the ends of all scales numbers overflow, and nothing is found
+    with np.errstate(all="ignore"):
+        return _within(allowed, trajectory, chosen, request)
 
 
 def _within(

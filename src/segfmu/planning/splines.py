@@ -142,7 +142,7 @@ def _stopping_distance(speed: float, acceleration: float, brake: float, jerk: fl
     """The least distance [m] in which a speed becomes zero, by acceleration and jerk alone."""
     time = 0.0
     if jerk < inf:
-        stopped = (acceleration + sqrt(acceleration**2 + 2.0 * jerk * speed)) / jerk
+        stopped = (acceleration + sqrt(acceleration * acceleration + 2.0 * jerk * speed)) / jerk
         time = max(min(stopped, (acceleration + brake) / jerk), 0.0)
     else:
         jerk = 0.0
@@ -152,14 +152,16 @@ def _stopping_distance(speed: float, acceleration: float, brake: float, jerk: fl
 
 
 class _Problem(NamedTuple):
-    """Ends of a motion in the time s from 0 to 1, from the first position on.
+    """Ends of a motion in the time s from 0 to 1, from the first position on, in units of length.
 
-    start : position [m]; powers (n + 2,): of the duration [s]; begin, end (n + 1,): states. control
+    start : first position [m]; unit [m]: how far the ends alone would lead in the time. powers
+    (n + 2,) are those of the duration [s] over the unit; begin, end (n + 1,): states. control
     (CELLS + n + 1,) has the control points that the ends give, and zeros where they are free.
     """
 
     basis: _Basis
     start: float
+    unit: float
     powers: FloatArray
     begin: FloatArray
     end: FloatArray
@@ -169,15 +171,18 @@ class _Problem(NamedTuple):
 def _problem(first: FloatArray, last: FloatArray, duration: float) -> _Problem:
     degree = first.size
     basis = _basis(degree)
+    start = float(first[0])
     powers = duration ** np.arange(degree + 1.0)
     begin, end = first * powers[:-1], last * powers[:-1]
-    begin[0], end[0] = 0.0, last[0] - first[0]
+    begin[0], end[0] = 0.0, last[0] - start
+    unit = float(max(np.abs(begin).max(), np.abs(end).max()))
+    begin, end, powers = begin / unit, end / unit, powers / unit
     control = np.zeros(CELLS + degree)
     for place, state, row in ((slice(degree), begin, 0), (slice(-degree, None), end, -1)):
         control[place] = np.linalg.solve(
             [matrix[row, place] for matrix in basis.derivatives[:-1]], state
         )
-    return _Problem(basis, float(first[0]), powers, begin, end, control)
+    return _Problem(basis, start, unit, powers, begin, end, control)
 
 
 def _least_share(
@@ -193,6 +198,9 @@ def _least_share(
     kept = [_limit_rows(problem, bounds, highest=highest)]
     kept.append(_range_rows(problem, bounds, highest=highest))
     rows, rooms = (np.concatenate(parts) for parts in zip(*kept, strict=True))
+    # scales beyond those of numbers have no motion
+    if not (np.isfinite(rows).all() and np.isfinite(rooms).all()):
+        return inf, problem.control
     costs = np.zeros(rows.shape[1])
     costs[-1] = 1.0
     found = linprog(
@@ -218,14 +226,14 @@ def _limit_rows(
     rows, rooms = [], []
     last = int(np.flatnonzero(np.isfinite(np.minimum(bounds.upper, bounds.lower)))[-1]) + 1
     for order, matrix in enumerate(problem.basis.derivatives[1:], 1):
-        free = matrix[:, _inner(problem)] / problem.powers[order]
+        free = matrix[:, _inner(problem)]
         # what the ends give alone is not to be chosen
         chosen = free.any(axis=1)
         free = free[chosen]
-        given = matrix[chosen] @ problem.control / problem.powers[order]
+        given = matrix[chosen] @ problem.control
         shared = not highest or order == last
         for sign, limits in ((1.0, bounds.upper), (-1.0, bounds.lower)):
-            limit = KEPT * float(limits[order - 1])
+            limit = KEPT * float(limits[order - 1] * problem.powers[order])
             if limit < inf:
                 share = np.full((len(free), 1), -float(shared))
                 rows.append(np.hstack([sign / limit * free, share]))
@@ -236,11 +244,9 @@ def _limit_rows(
 def _range_rows(
     problem: _Problem, bounds: AxisBounds, *, highest: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """The same for the range, in units of how far the ends alone lead, or of the range."""
-    low, high = (bounds.allowed - problem.start).tolist()
-    size = max(np.abs(problem.begin).max(), np.abs(problem.end).max())
-    if 0.0 < high - low < size:
-        size = high - low
+    """The same for the range, in units of length, or of the range if that is smaller."""
+    low, high = ((bounds.allowed - problem.start) / problem.unit).tolist()
+    size = high - low if 0.0 < high - low < 1.0 else 1.0
     matrix = problem.basis.finer
     free = matrix[:, _inner(problem)]
     # positions are means of control points; beside the ends few of what counts is free
@@ -263,7 +269,7 @@ def _pieces(problem: _Problem, control: FloatArray) -> FloatArray:
 
     They end exactly but for rounding.
     """
-    basis, start, powers, begin, end, _ = problem
+    basis, start, _, powers, begin, end, _ = problem
     highest = basis.derivatives[-1] @ control
     degree = begin.size
     factorials = np.array([factorial(k) for k in range(degree + 1)])
