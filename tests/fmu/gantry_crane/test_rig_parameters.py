@@ -168,7 +168,7 @@ def test_start_time_is_the_time_of_disturbances(fmus: tuple[Path, Path]) -> None
         ({"sensor.dead_time": 0.1}, "set sensor.sample_time above 0 s"),
         ({"travel.rope.min": 2.0, "travel.rope.max": 1.0}, "travel.rope: min 2 m must be below"),
         ({"sensor.seed": -1}, "sensor.seed"),
-        ({"wind.constant.x": float("nan")}, "wind constant must be finite"),
+        ({"wind.constant.x": float("nan")}, "wind.constant.x must be finite, got nan"),
     ],
 )
 def test_bad_parameters_end_initialisation_with_the_reason(

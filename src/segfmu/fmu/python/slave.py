@@ -135,10 +135,11 @@ class SpecSlave(Fmi2Slave):  # type: ignore[misc]
             raise SimulationError(f"the next step begins at {now:.9g} s, not at {time:.9g} s")
         if not 0.0 < step < inf:
             raise SimulationError(f"a step lasts longer than 0 s and ends, got {step:g} s")
-        _require_time("the end of the step", time + step)
-        if not time + step > time + ROUNDING * (1.0 + abs(time)):
+        _require_time("the step's end", time + step)
+        least = ROUNDING * (1.0 + abs(time))
+        if not time + step > time + least:
             raise SimulationError(
-                f"a step of {step:g} s is below the resolution of the time at {time:.9g} s"
+                f"at {time:.9g} s a step must be longer than {least:.3g} s, got {step:g} s"
             )
 
     def _require_ranges(self) -> None:

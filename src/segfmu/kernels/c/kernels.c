@@ -1103,6 +1103,7 @@ static double few_digits(double value);
 static void measure_states(int64_t axis, int64_t places, double slowest, array_double_3d choice, array_double_1d track);
 static void take_units(int64_t places, array_double_3d choice, array_double_2d limits, array_double_2d lower, array_double_2d axes);
 static void return_states(int64_t point, array_double_3d choice, array_double_2d axes);
+static void restore_given(array_double_2d given, array_double_2d found);
 static int64_t check_limits(array_double_2d limits, array_double_1d report);
 static bool is_real(double value);
 static int64_t check_numbers(array_double_3d states, array_double_2d limits, array_double_1d report);
@@ -24677,6 +24678,16 @@ state = state * *cspan_at(&axes, axis, 58 + field);
 }
 }
 }
+static void restore_given(array_double_2d given, array_double_2d found) {
+int64_t axis, i;
+for (axis = 0; axis < found.shape[0]; axis += 1) {
+for (i = 0; i < 3; i += 1) {
+if (!is_free(*cspan_at(&given, axis, i))) {
+*cspan_at(&found, axis, i) = *cspan_at(&given, axis, i);
+}
+}
+}
+}
 static int64_t check_limits(array_double_2d limits, array_double_1d report) {
 int64_t axis, order;
 for (axis = 0; axis < limits.shape[0]; axis += 1) {
@@ -25112,6 +25123,10 @@ own = (int64_t)(*cspan_at(&place, point));
 if ((point == 0) || (own != (int64_t)(*cspan_at(&place, point - 1)))) {
 return_states(own, choice, axes);
 }
+restore_given(span_matrix(&states, point), span_matrix(&choice, own));
+}
+for (point = 0; point < states.shape[0]; point += 1) {
+own = (int64_t)(*cspan_at(&place, point));
 take_states(0, span_matrix(&choice, own), span_matrix(&states, point));
 }
 }

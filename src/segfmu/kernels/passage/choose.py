@@ -19,7 +19,7 @@ from segfmu.kernels.passage.path import gap_of
 from segfmu.kernels.passage.polish import polish_states
 from segfmu.kernels.passage.records import Block, Free, Path, Point, Spot, Tools, Track
 from segfmu.kernels.passage.search import block_rows, may_beat, search_states, write_tracks
-from segfmu.kernels.passage.units import return_states, take_units
+from segfmu.kernels.passage.units import restore_given, return_states, take_units
 from segfmu.kernels.planner.problem import motion_scale
 from segfmu.kernels.planner.records import WaypointState
 
@@ -286,9 +286,15 @@ def searched_states(
 def end_choice(
     states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]', axes: 'float[:,:]'
 ) -> None:
-    """Write the states that were chosen to the waypoints at which they are free."""
+    """Write the states that were chosen to the waypoints at which they are free.
+
+    What one of several waypoints at a place has is that of all, to the last digit.
+    """
     for point in range(states.shape[0]):
         own = int(place[point])
         if point == 0 or own != int(place[point - 1]):
             return_states(own, choice, axes)
+        restore_given(states[point, :, :], choice[own, :, :])
+    for point in range(states.shape[0]):
+        own = int(place[point])
         take_states(False, choice[own, :, :], states[point, :, :])

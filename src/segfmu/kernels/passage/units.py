@@ -5,6 +5,7 @@ limit. What is given is rounded in these units, so a mission in other units, or 
 is the same problem but for bits that rounding removes.
 """
 
+from segfmu.kernels.limits.places import is_free
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.records import Free, Track
 from segfmu.kernels.planner.records import WaypointState
@@ -82,3 +83,11 @@ def return_states(point: int, choice: 'float[:,:,:]', axes: 'float[:,:]') -> Non
             if state != 0.0:
                 state = state * axes[axis, Track.UNIT + field]
             choice[point, axis, WaypointState.VELOCITY + field] = state
+
+
+def restore_given(given: 'float[:,:]', found: 'float[:,:]') -> None:
+    """Write the states of a waypoint that are given, which were rounded, to those of its place."""
+    for axis in range(found.shape[0]):
+        for i in range(WaypointState.SIZE):
+            if not is_free(given[axis, i]):
+                found[axis, i] = given[axis, i]
