@@ -282,7 +282,7 @@ def _pieces(problem: _Problem, control: FloatArray) -> FloatArray:
     for _ in range(CORRECTIONS):
         for cell in range(CELLS):
             states[cell + 1] = onward @ states[cell] + step[:0:-1] * highest[cell]
-        highest = highest + np.linalg.lstsq(basis.gains, end - states[-1])[0]
+        highest = highest + np.linalg.lstsq(basis.gains, end - states[-1], rcond=None)[0]
     coefficients = np.zeros((CELLS, 2 * (degree - 1)))
     factors = powers * factorials
     coefficients[:, :degree] = states[:-1] / factors[:-1]
