@@ -109,7 +109,7 @@ def spline_motion(
 def spline_use(
     first: FloatArray, last: FloatArray, bounds: AxisBounds, duration: float
 ) -> float:
-    """By how much more than limits and range the motion needs that needs the least; 1: all of both.
+    """The least share of all limits and of the range that a motion needs; above 1 there is none.
 
     Arguments as for `spline_motion`. It is continuous in the duration.
     """
@@ -195,8 +195,7 @@ def _least_share(
     from scipy.optimize import linprog
     from scipy.sparse import csr_array
 
-    kept = [_limit_rows(problem, bounds, highest=highest)]
-    kept.append(_range_rows(problem, bounds, highest=highest))
+    kept = [make(problem, bounds, highest=highest) for make in (_limit_rows, _range_rows)]
     rows, rooms = (np.concatenate(parts) for parts in zip(*kept, strict=True))
     # scales beyond those of numbers have no motion
     if not (np.isfinite(rows).all() and np.isfinite(rooms).all()):
