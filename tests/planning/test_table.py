@@ -132,3 +132,14 @@ def test_a_mission_names_a_table(tmp_path: Path) -> None:
     write(tmp_path, "x,y,z\n0,0,deep\n")
     with pytest.raises(InputError, match=r"mission.toml: waypoints: .*path.csv, line 2, column z"):
         load_mission(tmp_path / "mission.toml")
+
+
+def test_a_mission_reads_no_further_than_it_can_plan(tmp_path: Path) -> None:
+    """A table of 64 MB took minutes to be refused; what is behind is not looked at."""
+    rows = [f"{i},0,-1" for i in range(257)]
+    write(tmp_path, "\n".join(["x,y,z", *rows, "no number"]))
+    mission = tmp_path / "mission.toml"
+    crane = "crane = {bridge_mass = 2, trolley_mass = 1, payload_mass = 1}\n"
+    mission.write_text(f'waypoints = "path.csv"\n{crane}', encoding="utf-8")
+    with pytest.raises(InputError, match=r"path\.csv, line 258: more than 256 waypoints; leave "):
+        load_mission(mission)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from segfmu.errors import InputError
@@ -105,8 +105,8 @@ def without_units(cells: list[str], units: Mapping[str, str], where: str) -> lis
     return names
 
 
-def read_rows(file: Path) -> list[tuple[int, list[str]]]:
-    """Numbers and cells of the lines that are neither empty nor begin with #.
+def read_rows(file: Path) -> Iterator[tuple[int, list[str]]]:
+    """Numbers and cells of the lines that are neither empty nor begin with #, one by one.
 
     Raises
     ------
@@ -122,14 +122,14 @@ def read_rows(file: Path) -> list[tuple[int, list[str]]]:
         raise InputError(f"{file}: cannot be read: {reason}") from None
     if len(data) > LARGEST:
         raise InputError(f"{file}: larger than {LARGEST // 1_000_000} MB")
-    rows = [(number, line) for number, line in enumerate(text.splitlines(), 1) if is_row(line)]
-    delimiter = delimiter_of(rows[0][1] if rows else "")
-    found = []
-    for number, line in rows:
+    delimiter = ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if not is_row(line):
+            continue
+        delimiter = delimiter or delimiter_of(line)
         try:
             reader = csv.reader([line], delimiter=delimiter, strict=True, skipinitialspace=True)
             cells = next(reader)
         except csv.Error as error:
             raise InputError(f"{file}, line {number}: {error}") from None
-        found.append((number, [cell.strip() for cell in cells]))
-    return found
+        yield number, [cell.strip() for cell in cells]

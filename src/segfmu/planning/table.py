@@ -53,20 +53,29 @@ def read_waypoints(path: str | Path, axes: Sequence[str] | None = None) -> list[
         If the file cannot be read, a column is missing, unknown or there twice, or a value is no
         number. The message names file, line, column and value.
     """
+    return waypoints_of(path, axes)
+
+
+def waypoints_of(
+    path: str | Path, axes: Sequence[str] | None, most: int | None = None
+) -> list[Waypoint]:
+    """As `read_waypoints`; InputError where there are more than `most` of them."""
     file = _path(path)
     lines = read_rows(file)
-    if not lines:
+    number, cells = next(lines, (0, []))
+    if not cells:
         raise InputError(f"{file}: empty; the first line names the columns, such as x,y,z,dwell")
-    number, cells = lines[0]
     where = f"{file}, line {number}"
     names = without_units(cells, UNITS, where)
     if len(cells) == 1 and (hint := no_names(cells)):
         raise InputError(f"{where}: one column, {shown(cells[0])}{hint}")
     found = _axes(where, names) if axes is None else as_tuple("axes", axes)
     _require_columns(where, names, found)
-    points = []
-    for number, cells in lines[1:]:
+    points: list[Waypoint] = []
+    for number, cells in lines:
         place = f"{file}, line {number}"
+        if len(points) == most:
+            raise InputError(f"{place}: more than {most} waypoints; leave some of them out")
         require_count(place, cells, names)
         points.append(_waypoint(place, dict(zip(names, cells, strict=True)), found))
     return points

@@ -143,7 +143,7 @@ def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
     """The numbers of some columns of a file that has other things as well."""
     if path.stat().st_size > LARGEST:
         raise InputError(f"{path}: no table of numbers")
-    rows = read_rows(path)[1:]
+    rows = list(read_rows(path))[1:]
     data = np.full((len(rows), len(names)), np.nan)
     for row, (number, cells) in zip(data, rows, strict=True):
         where = f"{path}, line {number}"

@@ -8,13 +8,13 @@ from typing import Any
 
 from segfmu.arrays import shown
 from segfmu.errors import InputError
-from segfmu.planning import read_waypoints
+from segfmu.planning.table import waypoints_of
 from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_file import CraneFile
 from segfmu.validation.files.crane_models import check_models
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.files.kinds import require_kind
-from segfmu.validation.files.mission import DISTURBED, Mission
+from segfmu.validation.files.mission import DISTURBED, MOST_WAYPOINTS, Mission
 from segfmu.validation.files.mission_checks import check_waypoints
 from segfmu.validation.files.objects import plain
 from segfmu.validation.files.reading import checked, merged, of_named, read
@@ -163,7 +163,7 @@ def _waypoint_data(mission: Path | None, name: str) -> list[Any]:
     """The waypoints of the table that a mission names."""
     path = _named(mission, "waypoints", name)
     try:
-        return [plain(point) for point in read_waypoints(path, AXES)]
+        return [plain(point) for point in waypoints_of(path, AXES, MOST_WAYPOINTS)]
     except InputError as error:
         raise of_named(mission or UNNAMED, "waypoints", path, error) from None
 

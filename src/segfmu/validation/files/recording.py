@@ -99,7 +99,7 @@ def load_recording(path: Path) -> Recording:
     InputError
         One line with the file, the row, and what is wrong.
     """
-    found = read_rows(path)
+    found = list(read_rows(path))
     if not found:
         raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
     (_, cells), *rows = found
