@@ -80,6 +80,26 @@ def test_the_command_writes_what_the_call_finds(
     assert (out / "identification.png").stat().st_size > 10_000
 
 
+def test_a_log_of_a_crane_at_rest_has_its_results(tmp_path: Path) -> None:
+    """The fit of a load that rests is no number, which JSON has not."""
+    log, crane = files(tmp_path)
+    names = log.read_text(encoding="utf-8").splitlines()[0].split(",")
+    table = np.zeros((200, len(names)))
+    table[:, names.index("time")] = 0.01 * np.arange(200)
+    # whose mean is another number, by rounding
+    table[:, names.index("measured.rope.length")] = 0.7
+    table[:, names.index("measured.trolley.position")] = 0.1
+    np.savetxt(log, table, delimiter=",", header=",".join(names), comments="")
+    out = tmp_path / "out"
+    cli.app(
+        ["identify", str(log), "--crane", str(crane), "-o", str(out), "--fit", "trolley.lag"],
+        standalone_mode=False,
+    )
+    results = json.loads((out / "identification.json").read_text(encoding="utf-8"))
+    assert results["fitted"][0]["load"] is None and results["estimates"] == []
+    assert all(one["index"] is None for one in results["fitted"][0]["signals"])
+
+
 def test_a_crane_without_a_file_is_written_too(tmp_path: Path) -> None:
     log = synthetic("lab", "velocity", 3, rows=100)
     crane = log.crane_without("trolley.lag")

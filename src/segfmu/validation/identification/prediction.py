@@ -214,9 +214,12 @@ def shifted(fitted: Sequence[Prediction]) -> Iterator[Shifted]:
 
 def fit_index(measured: FloatArray, simulated: FloatArray) -> float:
     """1 - |measured - simulated| / |measured - its mean|, of one signal or several together."""
+    # the mean of equal numbers may differ from them by rounding
+    if not np.ptp(measured, axis=0).any():
+        return float("nan")
     spread = float(np.linalg.norm(measured - measured.mean(axis=0)))
     away = float(np.linalg.norm(measured - simulated))
-    return 1.0 - away / spread if spread > 0.0 else float("nan")
+    return 1.0 - away / spread
 
 
 def told(index: float) -> str:

@@ -24,7 +24,7 @@ def write_results(found: Identification, path: Path) -> Path:
     content = {
         "crane": None if found.source is None else str(found.source),
         "converged": found.converged,
-        "estimates": [asdict(one) for one in found.estimates],
+        "estimates": [_known(asdict(one)) for one in found.estimates],
         "untold": [asdict(one) for one in found.untold],
         "fitted": [_part(p) for p in found.fitted],
         "predicted": [_part(p) for p in found.predicted],
@@ -36,12 +36,13 @@ def write_results(found: Identification, path: Path) -> Path:
 
 
 def _part(part: Prediction) -> dict[str, Any]:
-    # JSON has no NaN, which is the fit of a signal that does not move
-    signals = [
-        {n: v if isinstance(v, str) or isfinite(v) else None for n, v in asdict(s).items()}
-        for s in part.signals
-    ]
     return {
-        "log": part.log, "load": part.load, "signals": signals,
+        **_known({"log": part.log, "load": part.load}),
+        "signals": [_known(asdict(one)) for one in part.signals],
         "outside": [asdict(one) for one in part.outside],
     }
+
+
+def _known(entry: dict[str, Any]) -> dict[str, Any]:
+    """Without NaN, which JSON has not: it is the fit of what does not move."""
+    return {n: None if isinstance(v, float) and not isfinite(v) else v for n, v in entry.items()}
