@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -129,6 +130,15 @@ def test_a_sling_that_would_push_is_told() -> None:
     plant = Plant(LAB, state, upwards, Idle(), rig=Rig(wind=Wind((0.0, 0.0, 11.0))), driven=True)
     with pytest.raises(SimulationError, match="the sling went slack"):
         plant.step(0.1, upwards)
+
+
+def test_an_angle_of_a_sling_is_named() -> None:
+    state = np.array([0.0, 0.0, 0.6, *np.zeros(11)])
+    state[13] = -100.0
+    heavy = replace(LAB, hook_mass=1e6)
+    plant = Plant(heavy, state, setpoints(), Idle(), driven=True)
+    with pytest.raises(SimulationError, match=r"sling\.y\.angle reached -1\.57 rad, with 0\.6 m "):
+        plant.step(0.1, setpoints())
 
 
 def test_a_rope_with_a_hook_does_not_slacken() -> None:

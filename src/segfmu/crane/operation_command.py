@@ -7,13 +7,12 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray, as_index, finite_number, shown, sized
 from segfmu.errors import InputError
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE
 from segfmu.kernels.operation.records import Command, OperationMode, Tries
 
 MODES = tuple(name.lower() for name in OperationMode.items())
 # how long a velocity is held beyond the next command [s]
 HOLD = 0.1
-# of a start, a target and a push [m], as of waypoints in files
-FARTHEST = 1e6
 # what a mode does not do without
 NEEDED = {"target": ("target", Command.TARGET), "inching": ("distance", Command.DISTANCE)}
 
@@ -55,8 +54,8 @@ def changed_command(
     ):
         if value is not None:
             values = sized(name, value, 3, alike=name == "distance")
-            if name != "velocity" and np.abs(values).max() > FARTHEST:
-                raise InputError(f"{name} must be at most {FARTHEST:g} m, got {shown(value)}")
+            if name != "velocity" and np.abs(values).max() > FARTHEST_PLACE:
+                raise InputError(f"{name} must be at most {FARTHEST_PLACE:g} m, got {shown(value)}")
             changed[place : place + 3] = values
     if (changed[Command.DISTANCE : Command.DISTANCE + 3] < 0.0).any():
         raise InputError(

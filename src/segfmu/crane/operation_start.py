@@ -14,7 +14,6 @@ from segfmu.crane.contacts import resistance
 from segfmu.crane.demand import peaks
 from segfmu.crane.equipment import Friction
 from segfmu.crane.limit_search import KEPT
-from segfmu.crane.operation_command import FARTHEST
 from segfmu.crane.parameters import Crane
 from segfmu.crane.rope import require_rope
 from segfmu.crane.variables import filled
@@ -22,6 +21,7 @@ from segfmu.errors import InfeasibleError, InputError
 from segfmu.kernels.clearance.records import ObstacleRow, Space, SpaceLimits
 from segfmu.kernels.crane.records import Axes, RopeBounds, State
 from segfmu.kernels.crane.rope import least_depth
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE
 from segfmu.kernels.operation.records import Known
 from segfmu.kernels.planner.records import Lower
 from segfmu.kernels.trajectory.records import Timing
@@ -36,10 +36,10 @@ FAR = 1e9
 def require_near(name: str, places: ArrayLike) -> None:
     """Refuse places from which no target can be given."""
     farthest = float(np.abs(places).max())
-    if farthest > FARTHEST:
+    if farthest > FARTHEST_PLACE:
         raise InputError(
-            f"{name}: a place {farthest:.6g} m from the origin is beyond {FARTHEST:g} m, where "
-            "targets end; move the origin"
+            f"{name}: a place {farthest:.6g} m from the origin is beyond {FARTHEST_PLACE:g} m, "
+            "where targets end; move the origin"
         )
 
 

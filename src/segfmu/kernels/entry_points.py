@@ -369,7 +369,7 @@ _COMMON = (
         work=(OperationWork.SIZE, OperationWork.COLUMNS),
     ),
     entry(
-        "crane.failure", "plant_failure", state=State.SIZE, plant=Plant.SIZE,
+        "crane.failure", "plant_failure", state=PlantState.SIZE, plant=Plant.SIZE,
         fault=PlantFault.SIZE,
     ),
     entry(

@@ -242,6 +242,10 @@ SPACE = Messages(
 )
 
 
+def _angles(of: str) -> tuple[str, ...]:
+    return tuple(f"{of}.{axis}.angle" for axis in "xy")
+
+
 def _out_of_range(reason: str) -> str:
     return f"at {{TIME:.3f}} s: {reason}; check setpoints, wind, masses and friction"
 
@@ -256,7 +260,9 @@ def _stopped(kind: str) -> str:
 PLANT = Messages(
     "plant", PlantFault,
     {
-        PlantStatus.SWAY_ANGLE: _out_of_range("a sway angle reached 90 degrees"),
+        PlantStatus.SWAY_ANGLE: "at {TIME:.3f} s: {SWAY} reached {ANGLE:.4g} rad, with "
+        "{POSITION:.4g} m of rope; the crane is known up to 90 degrees; check setpoints, feedback, "
+        "wind, masses, friction, and where the load begins",
         PlantStatus.ROPE_LENGTH: _out_of_range("the rope length reached zero"),
         PlantStatus.STEP_TOO_SMALL: _out_of_range("the integration steps became too small"),
         PlantStatus.NOT_FINITE: _out_of_range("a value is not finite"),
@@ -265,7 +271,7 @@ PLANT = Messages(
         PlantStatus.BELOW_TRAVEL: _stopped("least"),
         PlantStatus.ABOVE_TRAVEL: _stopped("greatest"),
     },
-    {"AXIS": AXES},
+    {"AXIS": AXES, "SWAY": (*_angles("sway"), *_angles("sling"))},
 )
 
 # of commands that are followed while it runs

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from segfmu.crane.operation_command import FARTHEST
 from segfmu.fmu.gantry import SETPOINTS
 from segfmu.fmu.standard.spec import (
     Array,
@@ -24,6 +23,7 @@ from segfmu.fmu.standard.spec import (
 from segfmu.kernels.clearance.records import SpaceLimits
 from segfmu.kernels.crane.records import AXES, DRIVES, BoundUses
 from segfmu.kernels.limits.records import PlanLimits
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE
 
 # waypoints: largest number in a plan, and default of an FMU
 MOST_WAYPOINTS = 256
@@ -46,7 +46,9 @@ LIMITS = {
     "z": (0.3, 0.5, 0.5, 5.0),
 }
 # of the load at a waypoint; positions are as near as targets of commands
-STATES = (("position", "m", FARTHEST), ("velocity", "m/s", None), ("acceleration", "m/s2", None))
+STATES = (
+    ("position", "m", FARTHEST_PLACE), ("velocity", "m/s", None), ("acceleration", "m/s2", None),
+)
 # an end of the workspace, or an end stop [m], that is none
 FAR = 1e9
 # what of the load has limits

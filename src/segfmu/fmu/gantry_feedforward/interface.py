@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-from segfmu.crane.operation_command import FARTHEST
 from segfmu.fmu.feedforward.interface import (
     FAR,
     LIMITS,
@@ -36,6 +35,7 @@ from segfmu.fmu.standard.spec import (
     triple_parameter,
 )
 from segfmu.kernels.crane.records import DRIVES
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE
 from segfmu.kernels.operation.records import MEASURED, Tries
 
 __all__ = [
@@ -129,7 +129,7 @@ def _commands() -> list[Variable]:
     rows += [
         command(
             f"command.target.{a}", 0.0, "m", f"target of the load, {a}",
-            minimum=-FARTHEST, maximum=FARTHEST,
+            minimum=-FARTHEST_PLACE, maximum=FARTHEST_PLACE,
         )
         for a in "xyz"
     ]
@@ -170,7 +170,7 @@ def _commands() -> list[Variable]:
         ]
     return rows + triple_parameter(
         "command.distance", 0.01, "m", "way of a push in the mode inching", minimum=0.0,
-        maximum=FARTHEST,
+        maximum=FARTHEST_PLACE,
     )
 
 

@@ -251,6 +251,7 @@ static void forced_derivative(array_double_1d plant, array_double_1d state, arra
 static void slack_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_forces(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
 static void driven_derivative(array_double_1d plant, array_double_1d state, array_double_2d work, array_double_1d derivative);
+static void widest_angle(int64_t sway, double angle, array_double_1d fault);
 static void share_series(array_double_1d resistance, double time, array_double_1d motion, int64_t order, array_double_2d contacts, array_double_2d work);
 static void level_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
 static void add_dry_series(array_double_1d resistance, int64_t axis, int64_t count, array_double_2d work);
@@ -7019,9 +7020,23 @@ break;
 }
 }
 }
+static void widest_angle(int64_t sway, double angle, array_double_1d fault) {
+if (fabs(angle) > fabs(*cspan_at(&fault, 5))) {
+*cspan_at(&fault, 4) = sway;
+*cspan_at(&fault, 5) = angle;
+}
+}
 int64_t segfmu_plant_failure(int64_t status, double time, array_double_1d state, array_double_1d plant, array_double_1d fault) {
-int64_t axis;
+int64_t i, axis;
 *cspan_at(&fault, 0) = time;
+if (status == 1) {
+*cspan_at(&fault, 2) = *cspan_at(&state, 0 + 2);
+*cspan_at(&fault, 5) = 0.0;
+for (i = 0; i < 2; i += 1) {
+widest_angle(i, *cspan_at(&state, 3 + i), fault);
+widest_angle(2 + i, *cspan_at(&state, 16 + i), fault);
+}
+}
 if ((status < 6) || (status == 12)) {
 return status;
 }

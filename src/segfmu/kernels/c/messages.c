@@ -462,12 +462,17 @@ bool segfmu_plant_message(
     int64_t status, const double *report, char *text, size_t size)
 {
     static const char *const axis[] = {"bridge", "trolley", "rope"};
+    static const char *const sway[] = {"sway.x.angle", "sway.y.angle", "sling.x.angle", "sling.y.angle"};
     switch (status) {
     case 1:
         snprintf(text, size,
-            "at %.3f s: a sway angle reached 90 degrees; check setpoints, wind, masses "
-            "and friction",
-            report[PLANT_FAULT_TIME]);
+            "at %.3f s: %s reached %.4g rad, with %.4g m of rope; the crane is known up "
+            "to 90 degrees; check setpoints, feedback, wind, masses, friction, and where "
+            "the load begins",
+            report[PLANT_FAULT_TIME],
+            sway[(int)report[PLANT_FAULT_SWAY]],
+            report[PLANT_FAULT_ANGLE],
+            report[PLANT_FAULT_POSITION]);
         return true;
     case 2:
         snprintf(text, size,

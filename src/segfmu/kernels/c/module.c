@@ -1687,9 +1687,9 @@ static PyObject *call_plant_failure(
   && (in_state = take_array(&call, 2, 1, 'd', false)) != NULL
   && (in_plant = take_array(&call, 3, 1, 'd', false)) != NULL
   && (in_fault = take_array(&call, 4, 1, 'd', true)) != NULL
-  && has_at_least(&call, "state", 0, in_state->shape[0], 10)
+  && has_at_least(&call, "state", 0, in_state->shape[0], 23)
   && has_at_least(&call, "plant", 0, in_plant->shape[0], 80)
-  && has_at_least(&call, "fault", 0, in_fault->shape[0], 4)) {
+  && has_at_least(&call, "fault", 0, in_fault->shape[0], 6)) {
   answer = PyLong_FromLongLong(segfmu_plant_failure(
    in_status,
    in_time,

@@ -1,6 +1,13 @@
 """Details of a failure of the plant."""
 
-from segfmu.kernels.crane.records import Plant, PlantFault, PlantStatus, State
+from segfmu.kernels.crane.records import (
+    Axes,
+    Plant,
+    PlantFault,
+    PlantState,
+    PlantStatus,
+    State,
+)
 
 
 def plant_failure(
@@ -11,6 +18,12 @@ def plant_failure(
     Returns the status without the axis: BELOW_TRAVEL or ABOVE_TRAVEL for any axis.
     """
     fault[PlantFault.TIME] = time
+    if status == PlantStatus.SWAY_ANGLE:
+        fault[PlantFault.POSITION] = state[State.POSITION + Axes.ROPE]
+        fault[PlantFault.ANGLE] = 0.0
+        for i in range(2):
+            widest_angle(i, state[State.ANGLE + i], fault)
+            widest_angle(2 + i, state[PlantState.SLING_ANGLE + i], fault)
     if status < PlantStatus.BELOW_TRAVEL or status == PlantStatus.SLACK_SLING:
         return status
     axis = (status - PlantStatus.BELOW_TRAVEL) % 3
@@ -21,3 +34,10 @@ def plant_failure(
         return PlantStatus.ABOVE_TRAVEL
     fault[PlantFault.STOP] = plant[Plant.TRAVEL_MIN + axis]
     return PlantStatus.BELOW_TRAVEL
+
+
+def widest_angle(sway: int, angle: float, fault: 'float[:]') -> None:
+    """Write a sway angle [rad] into PlantFault if it is wider than the one that is there."""
+    if abs(angle) > abs(fault[PlantFault.ANGLE]):
+        fault[PlantFault.SWAY] = sway
+        fault[PlantFault.ANGLE] = angle

@@ -70,6 +70,8 @@ class PlantFault(Record):
     AXIS = field("axis at its end stop, from 0")
     POSITION = field("its position, or length of the rope", "m")
     STOP = field("its end stop", "m")
+    SWAY = field("angle at the end of its range: both of the rope, then of the sling, from 0")
+    ANGLE = field("its value", "rad")
 
 
 class Axes(Record):

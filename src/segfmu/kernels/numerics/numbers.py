@@ -2,6 +2,8 @@
 
 # a duration [s], or another value, that nothing reaches: there is none
 NEVER = 1e300
+# of a place of the load that is given: a start, a target, a waypoint, a measured one [m]
+FARTHEST_PLACE = 1e6
 # of an interval, the part that golden section keeps
 GOLDEN = 0.6180339887498949
 # of two values the second one counts as larger by this factor only: rounding decides nothing

@@ -3,7 +3,7 @@
 from math import cos, sin
 
 from segfmu.kernels.crane.records import Masses, State
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE, NEVER
 from segfmu.kernels.operation.aim import wanted_mode
 from segfmu.kernels.operation.records import (
     Command,
@@ -75,7 +75,7 @@ def state_status(command: 'float[:]') -> int:
     if not is_hanging(command):
         return OperationStatus.ROPE
     for axis in range(3):
-        if abs(command[Command.MEASURED + State.POSITION + axis]) > 1e6:
+        if abs(command[Command.MEASURED + State.POSITION + axis]) > FARTHEST_PLACE:
             return OperationStatus.WORKSPACE
     return OperationStatus.TAKEN
 

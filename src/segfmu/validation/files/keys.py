@@ -17,6 +17,7 @@ from pydantic_core import CoreSchema
 
 from segfmu.crane.checks import HIGHEST_FREQUENCY, LARGEST_SEED
 from segfmu.errors import InputError
+from segfmu.kernels.numerics.numbers import FARTHEST_PLACE
 
 
 @dataclass(frozen=True)
@@ -144,7 +145,7 @@ PositivePair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Triple = Annotated[list[Number], Field(min_length=3, max_length=3)]
 NotNegativeTriple = Annotated[list[NotNegative], Field(min_length=3, max_length=3)]
 # ranges that every crane is far within, so that a slip of the pen is told by its key
-Length = Annotated[float, Field(ge=-1e6, le=1e6), NUMBER]
+Length = Annotated[float, Field(ge=-FARTHEST_PLACE, le=FARTHEST_PLACE), NUMBER]
 Time = Annotated[float, Field(ge=0.0, le=1e6), NUMBER]
 Place = Annotated[list[Length], Field(min_length=3, max_length=3)]
 # the least is that of the FMUs; the greatest avoids overflow in the design of gains

@@ -21,7 +21,7 @@ bool crane_failed(crane *m, int64_t status, double time, char message[MESSAGE])
         m->misfit[START_FAULT_TIME] = time;
         return !segfmu_start_message(START_STATUS_FAILED, m->misfit, message, MESSAGE);
     }
-    status = segfmu_plant_failure(status, time, vector(row(m, MEMORY_STATE), STATE_SIZE),
+    status = segfmu_plant_failure(status, time, vector(row(m, MEMORY_STATE), PLANT_STATE_SIZE),
                                   vector(setting(m, SETTINGS_PLANT), PLANT_SIZE),
                                   vector(fault, PLANT_FAULT_SIZE));
     return !segfmu_plant_message(status, fault, message, MESSAGE);
