@@ -165,6 +165,48 @@ def test_a_crane_with_known_friction_follows_its_plan(case: str) -> None:
     assert largest_error(case, 10.0 * step, Friction())[1] > 0.1
 
 
+@pytest.mark.parametrize("last", [[0.8, 0.6, -0.6], [0.7, 0.5, -0.55]], ids=["mirrored", "other"])
+def test_static_friction_acts_where_an_axis_passes_through_rest(last: list[float]) -> None:
+    """Halfway to the stop it was taken for slow since there, and had Coulomb friction alone."""
+    friction = Friction(coulomb=(4.0, 4.0, 4.0), static=(4.5, 4.5, 0.0))
+    points = [segfmu.Waypoint(p) for p in ([0.0, 0.0, -0.6], [0.4, 0.3, -0.6], last)]
+    plan = segfmu.plan(points, segfmu.Limits(0.5, 0.5, 5.0, 50.0))
+    flat = segfmu.FlatInverse(LAB, plan, friction)
+    for axis in range(2):
+        rows = flat.contacts.rows[axis]
+        (stop,) = rows[rows[:, Contact.RELEASED] > 0.0]
+        before = np.linspace(stop[Contact.BEGUN], plan.duration, 500)
+        assert (np.diff(np.abs(flat.velocity(before)[:, axis])) < 0.0).all()
+        # where it starts, too, what changes much is over soon
+        assert rows[0, Contact.SETTLED] < 0.05
+    times = np.linspace(0.0, plan.duration, 40_001)
+    values = segfmu.FlatInverse(LAB, plan).evaluate(times)
+    added = flat.force(times) - values[:, FORCE]
+    expected = friction_along(LAB, friction, values[:, POSITION], values[:, VELOCITY])
+    passed = np.abs(times - plan.waypoint_times[1]) < 0.2
+    assert added[passed, :2] == pytest.approx(expected[passed, :2], abs=0.01)
+    assert added[passed, :2].min() > 3.9 and added[passed, :2].max() > 4.49
+
+
+@BY_CASE
+def test_a_step_ends_where_a_contact_begins_to_slide(case: str) -> None:
+    """The slope of the friction jumps there; what a step passes over it grows with static friction.
+
+    Steps ended in 16 equal parts of the time until static friction has fallen, which may be long.
+    """
+    contacts = inverse(case).contacts
+    for axis in range(3):
+        events, time = [], 0.0
+        while np.isfinite(time := contacts.next_event(time, axis)):
+            events.append(time)
+        rows = contacts.rows[axis]
+        for row in rows[rows[:, Contact.TIME] < 1e300]:
+            first, slides = row[[Contact.TIME, Contact.SLIDES]]
+            if slides > first:
+                assert np.abs(np.array(events) - slides).min() < 1e-12
+                assert sum(first < t <= slides + 1e-12 for t in events) >= 16
+
+
 def test_only_friction_is_taken() -> None:
     with pytest.raises(segfmu.InputError, match=r"must be a segfmu.crane.Friction, got float"):
         segfmu.FlatInverse(LAB, trajectory("lab"), 4.0)

@@ -9,7 +9,7 @@ import pytest
 from benchmarks.drive_oracle import demands
 from scipy.optimize import minimize_scalar
 
-from segfmu import Limits, Trajectory, Waypoint
+from segfmu import Trajectory, Waypoint
 from segfmu.crane import FlatInverse, bound_uses
 from segfmu.crane.inverse import POSITION
 from segfmu.errors import InfeasibleError
@@ -17,7 +17,6 @@ from segfmu.validation import planned
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import load_mission
 from segfmu.validation.output import plan_samples
-from segfmu.validation.planned import sticking
 
 CRANE = """bridge_mass = 2.0
 trolley_mass = 1.0
@@ -85,24 +84,6 @@ def test_stops_of_both_sides_are_met(tmp_path: Path) -> None:
         with pytest.raises(InfeasibleError, match=words) as refused:
             planned.planned(load_mission(path))
         assert sign * refused.value.value > 0.301
-
-
-def test_an_axis_that_may_stick_as_it_moves_off_is_told() -> None:
-    """A hoist of 1 kg that loses 1 N over 1 mm/s; bridge and trolley are heavier and faster."""
-    still = {"coulomb": 3.0, "static": 4.0}
-    data = {
-        "crane": {"bridge_mass": 2.2, "trolley_mass": 1.155, "payload_mass": 1.0,
-                  "friction": {"bridge": still, "trolley": still}},
-        "limits": Limits(0.5, 0.5, 1.0, 10.0),
-        "waypoints": [Waypoint([0.0, 0.0, -0.5]), Waypoint([1.0, 0.8, -0.4])],
-    }
-    task = load_mission(data)
-    assert sticking(task, task.plan()) == ""
-    task = load_mission(data, {"crane": {"friction": {"hoist": still}}})
-    told = sticking(task, task.plan())
-    assert told.startswith("the hoist may stick where it moves off at 0.") and "\n" not in told
-    driven = load_mission(task, {"crane": {"drive": "velocity"}})
-    assert sticking(driven, task.plan()) == ""
 
 
 def test_friction_of_the_crane_file_is_part_of_plan_and_tables() -> None:

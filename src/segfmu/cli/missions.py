@@ -26,7 +26,8 @@ from segfmu.validation.output import (
     stride,
 )
 from segfmu.validation.output import note as thinning
-from segfmu.validation.planned import planned, sticking
+from segfmu.validation.planned import planned
+from segfmu.validation.sticking import sticking
 
 if TYPE_CHECKING:
     from segfmu.validation.runs import Run

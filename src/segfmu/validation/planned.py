@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from segfmu.cosim import require_steps
 from segfmu.crane import FlatInverse
-from segfmu.crane.bounds import DRIVES
 from segfmu.errors import InputError
-from segfmu.kernels.crane.records import Contact
 from segfmu.planning import Trajectory
 from segfmu.validation.files.crane_parameters import feedback_source
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.progress import Progress, quiet
-
-# samples of the time in which friction falls
-AROUND = 201
-# exponent of the growth of a deviation that force setpoints are exact enough for
-GROWN = 8.0
 
 
 def planned(task: Mission, progress: Progress = quiet) -> Trajectory:
@@ -31,40 +22,6 @@ def planned(task: Mission, progress: Progress = quiet) -> Trajectory:
     trajectory = task.plan(lambda share: progress("planning", share))
     FlatInverse(task.build_crane(), trajectory)
     return trajectory
-
-
-def sticking(task: Mission, trajectory: Trajectory) -> str:
-    """The force drive that may stick as it moves off, by static friction that falls; else empty.
-
-    Where the velocity passes that of the fall, a deviation grows by the slope of the friction over
-    the mass. An axis that is late there needs more than its force.
-    """
-    friction = task.build_friction()
-    if (task.simulation.drive or task.simulated.drive) == "velocity" or not any(friction.static):
-        return ""
-    inverse = FlatInverse(task.build_crane(), trajectory, friction)
-    crane = task.crane
-    hanging = crane.payload_mass + task.build_crane().tackle[0]
-    moved = (crane.bridge_mass + crane.trolley_mass, crane.trolley_mass, hanging)
-    found = []
-    for axis, rows in enumerate(inverse.contacts.rows):
-        excess = max(friction.static[axis] - friction.coulomb[axis], 0.0)
-        moving = (rows[:, Contact.TIME] < trajectory.duration) & (rows[:, Contact.RELEASED] == 0.0)
-        for row in rows[moving]:
-            times = np.linspace(row[Contact.TIME], row[Contact.SETTLED], AROUND)
-            share = inverse.velocity(times)[:, axis] / friction.width
-            slope = 2.0 * np.abs(share) * np.exp(-(share**2)) * excess / friction.width
-            growth = float(np.trapezoid(slope, times)) / moved[axis]
-            found.append((growth, axis, float(row[Contact.TIME])))
-    growth, axis, time = max(found)
-    if growth <= GROWN:
-        return ""
-    return (
-        f"the {DRIVES[axis]} may stick where it moves off at {time:.3f} s: it does so slowly, and "
-        f"a deviation grows by the factor e^{growth:.0f} while its friction falls from static to "
-        "Coulomb friction; use feedback, a higher jerk and snap in [limits], or a larger "
-        "friction.width"
-    )
 
 
 def unknown_wind(task: Mission) -> str:

@@ -38,11 +38,11 @@ from segfmu.validation.output import (
 from segfmu.validation.planned import (
     planned,
     require_memory,
-    sticking,
     unknown_wind,
 )
 from segfmu.validation.progress import Progress, quiet
 from segfmu.validation.scenario import arrival, recorded, run
+from segfmu.validation.sticking import sticking
 from segfmu.validation.units import signal_units
 
 if TYPE_CHECKING:

@@ -6710,18 +6710,18 @@ double faded, share, position, velocity;
 bool fast;
 int64_t Dummy_0000;
 faded = 3.0 * *cspan_at(&work, 27, 16);
-share = 0.5;
-fast = 1;
-for (Dummy_0000 = 0; Dummy_0000 < 40; Dummy_0000 += 1) {
-if (fast) {
+share = 1e-06;
+fast = 0;
+for (Dummy_0000 = 0; Dummy_0000 < 33; Dummy_0000 += 1) {
+if (!fast) {
 axis_motion(&position, &velocity, time + share * (end - time), timing, coefficients, offsets, ends, work);
 fast = fabs(velocity) > faded;
 }
-if (fast) {
-share = 0.5 * share;
+if (!fast) {
+share = span_min(1.5 * share, 0.5);
 }
 }
-return time + span_min(2.0 * share, 0.5) * (end - time);
+return time + share * (end - time);
 }
 static void settle_contact(int64_t row, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d ends, array_double_2d work, array_double_2d contacts) {
 array_double_1d resistance;
@@ -6798,7 +6798,7 @@ double after, event;
 int64_t row;
 after = time + segfmu_same_break(time) - start;
 row = find_contact(after, contacts);
-event = contact_node(after, *cspan_at(&contacts, row, 0), *cspan_at(&contacts, row, 6));
+event = span_min(contact_node(after, *cspan_at(&contacts, row, 0), *cspan_at(&contacts, row, 5)), contact_node(after, *cspan_at(&contacts, row, 5), *cspan_at(&contacts, row, 6)));
 if (after < *cspan_at(&contacts, row, 0)) {
 event = *cspan_at(&contacts, row, 0);
 }

@@ -355,22 +355,23 @@ def fading_time(
     time: float, end: float, timing: 'float[:,:]', coefficients: 'float[:,:]',
     offsets: 'int[:]', ends: 'float[:]', work: 'float[:,:]',
 ) -> float:
-    """From a time [s] without velocity towards another one: where static friction has faded.
+    """From a time [s] without velocity towards another one: where static friction has faded first.
 
-    At most twice as far as needed, and to the middle.
+    At most 1.5 times as far as needed, and to the middle. It is looked for from near to far: at the
+    middle the axis may be slow again, as it passes through rest.
     """
     faded = 3.0 * work[ContactWork.RESISTANCE, Resistance.FRICTION_WIDTH]
-    share = 0.5
-    fast = True
-    for _ in range(40):
-        if fast:
+    share = 1e-6
+    fast = False
+    for _ in range(33):
+        if not fast:
             position, velocity = axis_motion(
                 time + share * (end - time), timing, coefficients, offsets, ends, work
             )
             fast = abs(velocity) > faded
-        if fast:
-            share = 0.5 * share
-    return time + min(2.0 * share, 0.5) * (end - time)
+        if not fast:
+            share = min(1.5 * share, 0.5)
+    return time + share * (end - time)
 
 
 def contact_node(time: float, begin: float, end: float) -> float:
@@ -390,8 +391,10 @@ def next_contact_event(time: float, start: float, contacts: 'float[:,:]') -> flo
     """
     after = time + same_break(time) - start
     row = find_contact(after, contacts)
-    event = contact_node(
-        after, contacts[row, Contact.TIME], contacts[row, Contact.SETTLED]
+    # one of them where the contact begins to slide: there the slope of the friction jumps
+    event = min(
+        contact_node(after, contacts[row, Contact.TIME], contacts[row, Contact.SLIDES]),
+        contact_node(after, contacts[row, Contact.SLIDES], contacts[row, Contact.SETTLED]),
     )
     if after < contacts[row, Contact.TIME]:
         event = contacts[row, Contact.TIME]
