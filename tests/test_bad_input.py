@@ -56,6 +56,7 @@ MISSIONS = {
     "missing crane": ("crane.toml", "nowhere.toml", "crane: nowhere.toml: cannot be read: No such"),
     "crane of no name": ("crane.toml", "", "crane: no file is named, got ''"),
     "crane in a folder": ("crane.toml", ".", "crane: .: this is a folder; name a file in it"),
+    "capital letter": ("[limits.x]", "[limits.X]", "limits.X: unknown key; did you mean x? (and "),
     "no number": ("[0.3,", "[nan,", "waypoints.2.position, x: must be a finite number, got nan"),
     "huge list": ("[0.3,", f"[{'0.3, ' * 9999}", "waypoints.2.position: must have 3 values (x,"),
     "two numbers": ("[0.3, 0.2, -0.5]", "[0.3, 0.2]", "must have 3 values (x, y, z), got [0.3, 0"),

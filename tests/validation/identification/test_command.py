@@ -59,6 +59,8 @@ def test_the_command_writes_what_the_call_finds(
     assert "payload_mass is not told; kept at 1 kg" in told and "load's path" in told
     found = segfmu.identify(str(log), crane, fit=KEYS)
     assert repr(found).startswith("<Identification: trolley.lag ")
+    assert found.plot().get_suptitle().endswith(", only predicted")
+    assert replace(found, predicted=()).plot().get_suptitle().endswith(", fitted")
     assert repr(replace(found, estimates=())).startswith("<Identification: the logs tell nothing; ")
     results = json.loads((out / "identification.json").read_text(encoding="utf-8"))
     lag = found["trolley.lag"]

@@ -23,7 +23,8 @@ def part(name: str, signals: tuple[str, ...], index: float) -> Prediction:
 
 def test_names_are_apart_and_fits_have_few_digits(tmp_path: Path) -> None:
     shown = [part("a log", (*OUTPUTS, *LOAD), -2.74e7), part("with $1", OUTPUTS[:2], np.nan)]
-    figure = plot_identification(shown)
+    figure = plot_identification(shown, "only predicted")
+    assert figure.get_suptitle() == "Measured and simulated signals, only predicted"
     figure.savefig(tmp_path / "figure.png")
     drawn = [panel for panel in figure.axes if panel.axison]
     assert len(figure.axes) == 16 and len(drawn) == 10

@@ -253,4 +253,4 @@ def _similar(kind: type[Table], place: tuple[int | str, ...]) -> list[str]:
     """The most similar key of the same table, if there is one."""
     *tables, name = (p for p in place if isinstance(p, str))
     names = [e.path[-1] for e in entries(kind) if list(e.path[:-1]) == tables]
-    return get_close_matches(name, names, n=1)
+    return get_close_matches(name.lower(), names, n=1)

@@ -169,10 +169,11 @@ class Identification:
         """Measured and simulated signals, and their differences, of all that was predicted."""
         from segfmu.validation.plots.identification import plot_identification
 
-        shown = self.predicted or self.fitted
-        if not shown:
+        if self.predicted:
+            return plot_identification(self.predicted, "only predicted")
+        if not self.fitted:
             raise InputError("nothing was fitted or predicted")
-        return plot_identification(shown)
+        return plot_identification(self.fitted, "fitted")
 
     def __repr__(self) -> str:
         loads = ", ".join(told(p.load) for p in self.predicted if p.load is not None)

@@ -16,8 +16,11 @@ HEIGHT = 1.8
 LINE = 60
 
 
-def plot_identification(shown: Sequence[Prediction]) -> Figure:
-    """A row for every measured signal, with a column for every part of a log."""
+def plot_identification(shown: Sequence[Prediction], what: str) -> Figure:
+    """A row for every measured signal, with a column for every part of a log.
+
+    what: these parts are, in the title.
+    """
     units = signal_units()
     rows = max(len(p.signals) for p in shown)
     figure, panels = panels_of(
@@ -42,7 +45,7 @@ def plot_identification(shown: Sequence[Prediction]) -> Figure:
             panel.set_ylabel(f"{words}\n[{unit}]")
             legend(panel)
         column[0].set_title(label(part.log, LINE))
-    finish(figure, list(panels.ravel()), (), "Measured and simulated signals")
+    finish(figure, list(panels.ravel()), (), f"Measured and simulated signals, {what}")
     for column, part in zip(panels.T, shown, strict=True):
         for panel in column[len(part.signals):]:
             panel.set_axis_off()
