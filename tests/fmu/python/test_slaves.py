@@ -163,6 +163,19 @@ def test_steps_that_are_none_are_refused(fmus: tuple[Path, Path], which: int) ->
                 unit.step(*steps[-1])
 
 
+@pytest.mark.parametrize("which", [0, 1])
+def test_a_step_late_in_a_simulation_is_not_done_twice(
+    fmus: tuple[Path, Path], which: int
+) -> None:
+    with load(fmus[which]) as unit:
+        unit.set({"force.hoist": -9.81} if which else {})
+        unit.enter_initialization(1e6, 2e6)
+        unit.exit_initialization()
+        unit.step(1e6, 1e6 + 1e-3)
+        with pytest.raises(SimulationError, match=r"begins at 1000000\.001 s, not at 1000000 s"):
+            unit.step(1e6, 1e6 + 1e-3)
+
+
 @pytest.mark.parametrize(("which", "name", "late", "words"), [
     (0, "reference.load.position.x", False, "reference.load.position.x cannot be set at all"),
     (0, "crane.payload_mass", True, "crane.payload_mass cannot be set now"),

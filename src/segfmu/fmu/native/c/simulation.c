@@ -6,6 +6,9 @@
 /* times that differ by less, relative to their size, are equal: importers add up steps */
 static const double SAME = 1e-9;
 
+/* of a step: late in a simulation such times may be a whole step apart, which is one step twice */
+static const double REPEATED = 0.5;
+
 /* s; a command between events is followed so long after the one before: a signal that changes all the
    time would ask for an event at each of the integrator's steps, which begin anew there */
 static const double COMMANDED = 1e-3;
@@ -192,20 +195,20 @@ static bool derivatives_in_range(instance *c, double step)
 bool glue_begin_step(instance *c, double time, double step)
 {
     model *m = c->model;
-    double now = m->real[V_TIME];
+    double now = m->real[V_TIME], rounding = ROUNDING * (1.0 + fabs(time));
     if (!glue_time(c, time, "the communication point")
         || !glue_time(c, time + step, "the end of the step")) {
-        return false;
-    }
-    if (fabs(time - now) > SAME * (1.0 + fabs(now))) {
-        glue_log(c, STATUS_ERROR, "a step from %.9g s was asked for, the time is %.9g s", time, now);
         return false;
     }
     if (!(step > 0.0)) {
         glue_log(c, STATUS_ERROR, "the communication step size must be above 0 s, got %g s", step);
         return false;
     }
-    if (!(time + step > time + ROUNDING * (1.0 + fabs(time)))) {
+    if (fabs(time - now) > fmin(SAME * (1.0 + fabs(now)), REPEATED * step + rounding)) {
+        glue_log(c, STATUS_ERROR, "a step from %.15g s was asked for, the time is %.15g s", time, now);
+        return false;
+    }
+    if (!(time + step > time + rounding)) {
         glue_log(c, STATUS_ERROR, "a step of %g s is below the resolution of the time at %.9g s",
                  step, time);
         return false;
