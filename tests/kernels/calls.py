@@ -476,7 +476,7 @@ def passage_calls() -> dict[str, Call]:
             zeros(links, Cell.SIZE, Cell.COLUMNS), zeros(rows, Timing.SIZE), zeros(rows, width),
             work.copy(),
         ),
-        "end_choice": (states.copy(), place, choice, axes.copy()),
+        "end_choice": (states.copy(), place, choice, tools.copy(), axes.copy()),
     }
 
 

@@ -41,3 +41,33 @@ def test_an_axis_that_has_time_goes_no_farther_than_to_stop(n: int, seed: int) -
         assert verify(found).passed
         assert (found.extrema(0)[0] >= low - small).all()
         assert (found.extrema(0)[1] <= high + small).all()
+
+
+@pytest.mark.parametrize("n", [2, 3, 4, 5])
+def test_an_axis_with_an_end_at_rest_goes_no_farther_than_its_shortest_profile(n: int) -> None:
+    random = np.random.default_rng(n)
+    turned = 0
+    for _ in range(60):
+        problem = random_problem(n, random)
+        still = random.integers(2)
+        velocities, accelerations = problem.velocities[:, 0], problem.accelerations[:, 0]
+        velocities[still] = accelerations[still] = 0.0
+        limits = Limits(**dict(zip(NAMES, problem.limits[0], strict=False)))
+        rows = zip(problem.positions[:, 0], velocities, accelerations, strict=True)
+        points = [Waypoint(*row) for row in rows]
+        try:
+            shortest = plan(points, limits, smoothness=n)
+        except InfeasibleError:
+            # a state that cannot be braked
+            continue
+        low, high = (float(edge[0]) for edge in shortest.extrema(0))
+        if np.ptp(problem.positions[:, 0]) >= (high - low) * (1.0 - 1e-9):
+            # it goes there straight on
+            continue
+        turned += 1
+        for longer in (1.0 + 1e-6, 1.1, 3.0):
+            found = plan(points, limits, smoothness=n, duration=longer * shortest.duration)
+            assert verify(found).passed
+            assert found.extrema(0)[0][0] >= low - 1e-9 * (high - low)
+            assert found.extrema(0)[1][0] <= high + 1e-9 * (high - low)
+    assert turned > 10

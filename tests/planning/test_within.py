@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from benchmarks.position_ranges import SEED, TwoAxes, random_problem
+from benchmarks.position_ranges import SEED, Moving, random_problem
 
 from segfmu import InfeasibleError, Limits, Trajectory, Waypoint, plan, replan, verify
 from segfmu.planning.limits import NAMES
@@ -18,19 +18,19 @@ CASES = [
 ]
 
 
-def case(n: int, number: int) -> TwoAxes:
+def case(n: int, number: int) -> Moving:
     random = np.random.default_rng((SEED, n))
     return [random_problem(n, random) for _ in range(number + 1)][-1]
 
 
-def points_of(problem: TwoAxes, scale: float = 1.0) -> tuple[list[Waypoint], Limits]:
+def points_of(problem: Moving, scale: float = 1.0) -> tuple[list[Waypoint], Limits]:
     rows = zip(problem.positions, problem.velocities, problem.accelerations, strict=True)
     table = abs(scale) * problem.limits.T
     limits = Limits(**dict(zip(NAMES, table, strict=False)))
     return [Waypoint(*(scale * row for row in point)) for point in rows], limits
 
 
-def within(problem: TwoAxes, scale: float = 1.0, **options: object) -> Trajectory:
+def within(problem: Moving, scale: float = 1.0, **options: object) -> Trajectory:
     points, limits = points_of(problem, scale)
     low, high = np.sort(scale * problem.allowed, axis=0)
     return plan(
@@ -48,8 +48,9 @@ def test_what_linear_programs_find_is_planned(n: int, number: int, share: float)
     positions = found(np.linspace(0.0, found.duration, 20_001))
     size = (high - low).min()
     assert (positions >= low - 1e-9 * size).all() and (positions <= high + 1e-9 * size).all()
-    shortest = problem.duration()
-    assert shortest is not None
+    free = problem.planned()
+    assert free is not None
+    shortest = free.duration
     assert shortest <= found.duration <= share * shortest
 
 
@@ -112,18 +113,19 @@ def test_a_longer_interval_moves_what_follows() -> None:
 def test_the_ends_of_all_scales_are_planned_or_refused(length: float, time: float) -> None:
     problem = case(4, 24)
     powers = length / time ** np.arange(problem.limits.shape[1] + 1.0)
-    changed = TwoAxes(
+    changed = Moving(
         length * problem.positions, powers[1] * problem.velocities,
         powers[2] * problem.accelerations, powers[1:] * problem.limits,
     )
-    duration = changed.duration(*changed.allowed)
-    assert duration is None or duration > 0.0
+    found = changed.planned(*changed.allowed)
+    assert found is None or found.duration > 0.0
 
 
 def test_a_given_duration_is_kept_or_refused() -> None:
     problem = case(4, 74)
-    shortest = problem.duration()
-    assert shortest is not None
+    free = problem.planned()
+    assert free is not None
+    shortest = free.duration
     assert within(problem, duration=1.5 * shortest).duration == pytest.approx(1.5 * shortest)
     with pytest.raises(InfeasibleError, match=r"axis y, waypoints 1 -> 2: position reaches"):
         within(problem, duration=1.05 * shortest)

@@ -1123,6 +1123,7 @@ def end_choice(
     states: Floats,
     place: Floats,
     choice: Floats,
+    tools: Floats,
     axes: Floats,
     /,
 ) -> None: ...

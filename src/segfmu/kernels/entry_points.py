@@ -545,6 +545,7 @@ _COMMON = (
     entry(
         "passage.choose", "end_choice", states=("points", "axes", WaypointState.SIZE),
         place="points", choice=("5 * points", "axes", WaypointState.SIZE),
+        tools=(Tools.SIZE, Tools.COLUMNS),
         axes=("axes", Track.SIZE),
     ),
     entry(

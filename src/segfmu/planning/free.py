@@ -107,7 +107,7 @@ class _Choice:
                 self._choice, self._tools, self._axes, self._spots, *self._room, self._work
             )
             return True
-        backend.end_choice(self.states, self._place, self._choice, self._axes)
+        backend.end_choice(self.states, self._place, self._choice, self._tools, self._axes)
         return False
 
 

@@ -72,7 +72,8 @@ def plan(
     overshoot : float
         How far free states may lead beyond the neighbouring waypoints. Between two waypoints, an
         axis stays in the range of these two, the one before and the one after them, widened on
-        both sides by this share of the range; 0 for none, infinite for no such bound.
+        both sides by this share of the range; 0 for none, infinite for no such bound. Where
+        moving waypoints lead farther in any case, the range is wider by that, and this share of it.
     progress : callable, optional
         Called with the number of passages whose free states are chosen, and of all of them.
 

@@ -941,6 +941,7 @@ static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cel
 static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -1052,7 +1053,13 @@ static void write_boxes(double room, int64_t first, array_double_3d given, array
 static bool admit_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links);
 static bool is_moving(array_double_3d states);
 static void write_margin(array_double_1d path, array_double_3d links);
-static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static void widen_boxes(double room, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
+static double step_length(int64_t place, array_double_3d choice);
+static double state_size(int64_t place, array_double_3d choice, array_double_3d spots);
+static bool runs_backwards(int64_t places, array_double_3d choice, array_double_3d spots);
+static void reverse_places(int64_t places, array_double_3d choice);
+static void reverse_spots(int64_t places, int64_t count, array_double_3d spots);
+static void reverse_limits(int64_t places, array_double_3d choice, array_double_2d limits, array_double_2d lower, array_double_2d axes);
 static double power_over_factorial(double base, int64_t exponent);
 static double control_effect(int64_t order, int64_t derivative, int64_t cell, int64_t node);
 static double end_effect(int64_t derivative, int64_t column, double time);
@@ -1098,7 +1105,6 @@ static void set_state(double value, int64_t point, int64_t axis, int64_t field, 
 static double longest_of(int64_t place, int64_t without, array_double_2d axes, array_double_3d cells);
 static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static void polish_state(int64_t spot, int64_t field, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
-static bool runs_backwards(array_double_2d spans);
 static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static double few_digits(double value);
 static void measure_states(int64_t axis, int64_t places, double slowest, array_double_3d choice, array_double_1d track);
@@ -21380,6 +21386,29 @@ weight = nearest_weight(span_row(&work, 59), axis, span_row(&work, 58));
 surround_nearest(0, axis, cell, work);
 return weight;
 }
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work) {
+array_double_1d problem;
+array_double_2d phases;
+bool first, last;
+int64_t count;
+double rest;
+problem = span_row(&work, 59);
+phases = span_rows(&cell, 0, 33);
+first = (*cspan_at(&problem, 0) == 0.0) && (*cspan_at(&problem, 1) == 0.0);
+last = (*cspan_at(&problem, 2) == 0.0) && (*cspan_at(&problem, 3) == 0.0);
+if ((!first) && (!last)) {
+return -1.0;
+}
+count = segfmu_shortest_profile(problem, axis, phases, work);
+rest = *cspan_at(&problem, 5) - total_duration(phases, span_max_int(count, 0));
+if ((count <= 0) || (rest < 0.0)) {
+return -1.0;
+}
+count = insert_hold(phases, count, first ? 0 : count, 0.0, rest);
+*cspan_at(&work, 58, 0) = count;
+*cspan_at(&work, 58, 2) = 0.0;
+return 0.0;
+}
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, rest;
 int64_t variant, taken;
@@ -21468,6 +21497,9 @@ return result;
 static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 double weight;
 weight = timed_smoothly(0, axis, cell, work);
+if (weight < 0.0) {
+weight = timed_waiting(axis, cell, work);
+}
 if (weight >= 0.0) {
 return weight;
 }
@@ -23103,7 +23135,7 @@ unit = unit * duration;
 *cspan_at(&square, 0, j) = unit;
 *cspan_at(&square, 2, j) = *cspan_at(&link, 5, j) * unit;
 }
-whole = *cspan_at(&path, 8);
+whole = *cspan_at(&path, 9);
 for (derivative = 0; derivative < order + 1; derivative += 1) {
 *cspan_at(&square, 3, derivative) = *cspan_at(&link, 2, derivative) / whole;
 whole = whole * duration;
@@ -23123,7 +23155,7 @@ total = 0.0;
 for (j = 0; j < count; j += 1) {
 total = total + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
 }
-where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 8);
+where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 9);
 *cspan_at(&grid, i, 106) = total * scale + where;
 }
 }
@@ -23472,7 +23504,7 @@ first = *cspan_at(&states, place, axis, 0);
 if (high - low < 1e+300) {
 for (side = 0; side < 2; side += 1) {
 beyond = farthest_beyond(side, low, high, first, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
-if (beyond > *cspan_at(&path, 18)) {
+if (beyond > *cspan_at(&path, 19)) {
 return 1;
 }
 }
@@ -23500,14 +23532,14 @@ for (j = 0; j < spans.shape[0]; j += 1) {
 *cspan_at(&spans, j, 10) = least_length(j, axes, cells, work);
 total = total + *cspan_at(&spans, j, 10);
 }
-shorter = total < *cspan_at(&path, 13);
+shorter = total < *cspan_at(&path, 14);
 if (shorter) {
 total = 0.0;
 for (j = 0; j < spans.shape[0]; j += 1) {
 *cspan_at(&spans, j, 10) = common_length(j, 1e+300, axes, cells, work);
 total = total + *cspan_at(&spans, j, 10);
 }
-shorter = total < *cspan_at(&path, 13);
+shorter = total < *cspan_at(&path, 14);
 }
 count = 0;
 beyond = 0;
@@ -23523,7 +23555,7 @@ count = count + 1;
 }
 }
 if (shorter && (!beyond)) {
-*cspan_at(&path, 13) = total;
+*cspan_at(&path, 14) = total;
 copy_states(tried, best);
 }
 return count;
@@ -23628,9 +23660,9 @@ most = span_max(most, value);
 }
 }
 }
-*cspan_at(&path, 18) = most > least ? 1e-09 * (most - least) : 0.0;
+*cspan_at(&path, 19) = most > least ? 1e-09 * (most - least) : 0.0;
 }
-static void widen_boxes(array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
+static void widen_boxes(double room, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
 int64_t count, i, axis, side, edge;
 bool planned;
 double low, high, here, beyond;
@@ -23646,6 +23678,7 @@ for (side = 0; side < 2; side += 1) {
 beyond = 1e+300;
 if (planned && (high - low < 1e+300)) {
 beyond = farthest_beyond(side, low, high, here, span_matrix(&cells, i), span_row(&axes, axis), timing, coefficients, work);
+beyond = span_min((1.0 + room) * beyond, 1e+300);
 }
 edge = 1 - side;
 *cspan_at(&links, i, 0, edge) = *cspan_at(&links, i, 0, edge) + (1.0 - 2.0 * side) * beyond;
@@ -23653,6 +23686,100 @@ edge = 1 - side;
 }
 }
 write_margin(path, links);
+}
+static double step_length(int64_t place, array_double_3d choice) {
+int64_t axis;
+double here, length;
+length = 0.0;
+for (axis = 0; axis < choice.shape[1]; axis += 1) {
+here = *cspan_at(&choice, place, axis, 0);
+length = length + fabs(*cspan_at(&choice, place + 1, axis, 0) - here);
+}
+return length;
+}
+static double state_size(int64_t place, array_double_3d choice, array_double_3d spots) {
+int64_t count, axis, field;
+double size;
+count = choice.shape[1];
+size = 0.0;
+for (axis = 0; axis < count; axis += 1) {
+for (field = 0; field < 2; field += 1) {
+size = size + fabs(*cspan_at(&choice, place, axis, 1 + field));
+size = size + 2.0 * *cspan_at(&spots, place * count + axis, 0, field);
+}
+}
+return size;
+}
+static bool runs_backwards(int64_t places, array_double_3d choice, array_double_3d spots) {
+int64_t last, place;
+double ahead;
+last = places - 1;
+for (place = 0; place < last; place += 1) {
+ahead = step_length(place, choice) - step_length(last - 1 - place, choice);
+if (ahead != 0.0) {
+return ahead < 0.0;
+}
+}
+for (place = 0; place < places; place += 1) {
+ahead = state_size(place, choice, spots) - state_size(last - place, choice, spots);
+if (ahead != 0.0) {
+return ahead < 0.0;
+}
+}
+return 0;
+}
+static void reverse_places(int64_t places, array_double_3d choice) {
+int64_t count, last, axis, place, field;
+double origin, here, velocity, kept;
+count = choice.shape[1];
+last = places - 1;
+for (axis = 0; axis < count; axis += 1) {
+origin = *cspan_at(&choice, last, axis, 0);
+for (place = 0; place < places; place += 1) {
+here = *cspan_at(&choice, place, axis, 0);
+*cspan_at(&choice, place, axis, 0) = here - origin;
+velocity = *cspan_at(&choice, place, axis, 1);
+*cspan_at(&choice, place, axis, 1) = 0.0 - velocity;
+}
+for (place = 0; place < span_floor_div(places, 2); place += 1) {
+for (field = 0; field < 3; field += 1) {
+kept = *cspan_at(&choice, place, axis, field);
+*cspan_at(&choice, place, axis, field) = *cspan_at(&choice, last - place, axis, field);
+*cspan_at(&choice, last - place, axis, field) = kept;
+}
+}
+}
+}
+static void reverse_spots(int64_t places, int64_t count, array_double_3d spots) {
+int64_t place, axis, first, last, field;
+double kept;
+for (place = 0; place < span_floor_div(places, 2); place += 1) {
+for (axis = 0; axis < count; axis += 1) {
+first = place * count + axis;
+last = (places - 1 - place) * count + axis;
+for (field = 0; field < 2; field += 1) {
+kept = *cspan_at(&spots, first, 0, field);
+*cspan_at(&spots, first, 0, field) = *cspan_at(&spots, last, 0, field);
+*cspan_at(&spots, last, 0, field) = kept;
+}
+}
+}
+}
+static void reverse_limits(int64_t places, array_double_3d choice, array_double_2d limits, array_double_2d lower, array_double_2d axes) {
+int64_t axis, side;
+double origin, edge, kept;
+for (axis = 0; axis < limits.shape[0]; axis += 1) {
+origin = *cspan_at(&choice, places - 1, axis, 0);
+for (side = 0; side < 2; side += 1) {
+edge = *cspan_at(&axes, axis, 56 + side);
+if (fabs(edge) < 1e+300) {
+*cspan_at(&axes, axis, 56 + side) = edge - origin;
+}
+}
+kept = *cspan_at(&limits, axis, 0);
+*cspan_at(&limits, axis, 0) = *cspan_at(&lower, axis, 0);
+*cspan_at(&lower, axis, 0) = kept;
+}
 }
 static double power_over_factorial(double base, int64_t exponent) {
 int64_t i;
@@ -24098,7 +24225,7 @@ static bool retreat(array_double_1d path, array_double_2d tracks, array_double_3
 int64_t attempt;
 double theta, used;
 for (attempt = 0; attempt < 100; attempt += 1) {
-theta = *cspan_at(&path, 7) / (*cspan_at(&path, 9) * path_total(0, spans));
+theta = *cspan_at(&path, 8) / (*cspan_at(&path, 10) * path_total(0, spans));
 if (!centre_path(theta, 0.5, path, tracks, spots, links, spans, grid, square, band)) {
 return 0;
 }
@@ -24107,8 +24234,8 @@ used = largest_node_share(path, tracks, links, spans, grid, square);
 if (used > 1.0 - 0.001) {
 return 0;
 }
-*cspan_at(&path, 8) = span_max(1.0, *cspan_at(&path, 8) * (used + 0.1 * (1.0 - used)));
-if (*cspan_at(&path, 8) == 1.0) {
+*cspan_at(&path, 9) = span_max(1.0, *cspan_at(&path, 9) * (used + 0.1 * (1.0 - used)));
+if (*cspan_at(&path, 9) == 1.0) {
 return 1;
 }
 }
@@ -24117,7 +24244,7 @@ return 0;
 static bool begin_path(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square, array_double_2d band) {
 double used;
 bool result;
-*cspan_at(&path, 8) = 1.0;
+*cspan_at(&path, 9) = 1.0;
 write_variables(0, path, spots, links);
 write_times(path, tracks, links, spans, grid, square);
 used = largest_node_share(path, tracks, links, spans, grid, square);
@@ -24125,14 +24252,14 @@ take_tried(spots, links, spans);
 if (used < 1.0) {
 return 1;
 }
-*cspan_at(&path, 8) = 2.0 * used;
+*cspan_at(&path, 9) = 2.0 * used;
 result = retreat(path, tracks, spots, links, spans, grid, square, band);
 return result;
 }
 static double slow_path(double gap, array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square) {
 double before, value, total, theta, power;
 int64_t attempt, i, field, j;
-*cspan_at(&path, 8) = 1.0;
+*cspan_at(&path, 9) = 1.0;
 before = 1e+300;
 for (attempt = 0; attempt < 100; attempt += 1) {
 try_move(0.0, path, spots, links, spans);
@@ -24140,7 +24267,7 @@ value = barrier_value(0.0, path, tracks, spots, links, spans, grid, square);
 total = path_total(0, spans);
 if (before < 1e+300) {
 theta = (before - value) / (total * (1.0 - 1.0 / 1.02));
-if (theta * gap * total <= *cspan_at(&path, 7)) {
+if (theta * gap * total <= *cspan_at(&path, 8)) {
 return 3.1622776601683795 * theta;
 }
 }
@@ -24167,13 +24294,13 @@ double reached, accuracy;
 reached = 1e+300;
 while(reached > 1.05 * gap) {
 accuracy = 0.5;
-if (*cspan_at(&path, 7) > 1.05 * gap * theta * path_total(0, spans)) {
+if (*cspan_at(&path, 8) > 1.05 * gap * theta * path_total(0, spans)) {
 accuracy = 20.0;
 }
 if (!centre_path(theta, accuracy, path, tracks, spots, links, spans, grid, square, band)) {
 return -1.0;
 }
-reached = *cspan_at(&path, 7) / (theta * path_total(0, spans));
+reached = *cspan_at(&path, 8) / (theta * path_total(0, spans));
 theta = theta * span_min(3.1622776601683795, span_max(1.0, reached / gap));
 }
 return theta;
@@ -24254,14 +24381,14 @@ static void write_scales_of(bool smoothstep, array_double_3d given, array_double
 int64_t count, i, field, axis, j, order;
 double state, first, last, limit, share;
 count = (int64_t)(*cspan_at(&path, 3));
-*cspan_at(&path, 7) = *cspan_at(&path, 2) * links.shape[0];
+*cspan_at(&path, 8) = *cspan_at(&path, 2) * links.shape[0];
 for (i = 0; i < spots.shape[0]; i += 1) {
 for (field = 0; field < 2; field += 1) {
 state = (*cspan_at(&given, span_floor_div(i, count), span_floor_mod(i, count), 1 + field));
 *cspan_at(&spots, i, 5, field) = state / (*cspan_at(&tracks, span_floor_mod(i, count), 50 + field));
 if (*cspan_at(&spots, i, 2, field) != 0.0) {
 *cspan_at(&spots, i, 5, field) = 0.0;
-*cspan_at(&path, 7) = *cspan_at(&path, 7) + 1.0;
+*cspan_at(&path, 8) = *cspan_at(&path, 8) + 1.0;
 }
 }
 }
@@ -24326,8 +24453,8 @@ return total <= (1.0 + 1.05 * gap_of(place)) * known;
 static int64_t block_rows(int64_t* result_0_0001, int64_t* result_1_0001, int64_t block, array_double_1d path, array_double_3d choice) {
 int64_t begin;
 begin = block * (span_floor_div(choice.shape[0], 5));
-(*result_0_0001) = begin + (int64_t)(*cspan_at(&path, 5));
-(*result_1_0001) = begin + (int64_t)(*cspan_at(&path, 6)) + 1;
+(*result_0_0001) = begin + (int64_t)(*cspan_at(&path, 6));
+(*result_1_0001) = begin + (int64_t)(*cspan_at(&path, 7)) + 1;
 return 0;
 }
 static bool try_path(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
@@ -24344,13 +24471,13 @@ block_rows(&begin, &end, 0, path, choice);
 given = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 3, path, choice);
 tried = span_layers(&choice, begin, end);
-block_rows(&begin, &end, (int64_t)(*cspan_at(&path, 15)), path, choice);
+block_rows(&begin, &end, (int64_t)(*cspan_at(&path, 16)), path, choice);
 best = span_layers(&choice, begin, end);
 smoothstep = (int64_t)(*cspan_at(&work, 0, 1)) == 0;
 write_scales_of(smoothstep, given, path, axes, spots, links, spans);
 offered = is_moving(given) ? 5 : 7;
 first = 5;
-if (*cspan_at(&path, 10) != 0.0) {
+if (*cspan_at(&path, 11) != 0.0) {
 first = 7;
 theta = slow_path(gap_of(6), path, axes, spots, links, spans, grid, square);
 if (theta < 0.0) {
@@ -24358,7 +24485,7 @@ return 0;
 }
 }
 else if (begin_path(path, axes, spots, links, spans, grid, square, band)) {
-theta = *cspan_at(&path, 7) / (*cspan_at(&path, 9) * path_total(0, spans));
+theta = *cspan_at(&path, 8) / (*cspan_at(&path, 10) * path_total(0, spans));
 }
 else {
 return 0;
@@ -24369,9 +24496,9 @@ theta = follow_path(theta, gap_of(place), path, axes, spots, links, spans, grid,
 if (theta < 0.0) {
 break;
 }
-*cspan_at(&path, 11) = path_total(0, spans);
-hopeful = may_beat(span_min(*cspan_at(&path, 13), *cspan_at(&path, 14)), place, *cspan_at(&path, 11));
-last = (place == 7) && may_beat(*cspan_at(&path, 14), place, *cspan_at(&path, 11));
+*cspan_at(&path, 12) = path_total(0, spans);
+hopeful = may_beat(span_min(*cspan_at(&path, 14), *cspan_at(&path, 15)), place, *cspan_at(&path, 12));
+last = (place == 7) && may_beat(*cspan_at(&path, 15), place, *cspan_at(&path, 12));
 if (!(hopeful || last)) {
 return 0;
 }
@@ -24439,23 +24566,23 @@ for (j = 0; j < spans.shape[0]; j += 1) {
 *cspan_at(&spans, j, 6) = -1.0;
 *cspan_at(&spans, j, 7) = 1e+300;
 }
-*cspan_at(&path, 10) = 0.0;
-*cspan_at(&path, 11) = 1e+300;
+*cspan_at(&path, 11) = 0.0;
+*cspan_at(&path, 12) = 1e+300;
 block_rows(&begin, &end, 0, path, choice);
 resting = !is_moving(span_layers(&choice, begin, end));
-known = *cspan_at(&path, 13);
+known = *cspan_at(&path, 14);
 for (sweep = 0; sweep < 10; sweep += 1) {
 going_on = try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
 if (sweep == 0) {
-*cspan_at(&path, 12) = span_min(*cspan_at(&path, 12), *cspan_at(&path, 11));
+*cspan_at(&path, 13) = span_min(*cspan_at(&path, 13), *cspan_at(&path, 12));
 }
 if (!going_on) {
 return;
 }
-if (!tighten_path((sweep > span_floor_div(10, 2)) && (*cspan_at(&path, 13) >= known), spans)) {
+if (!tighten_path((sweep > span_floor_div(10, 2)) && (*cspan_at(&path, 14) >= known), spans)) {
 return;
 }
-*cspan_at(&path, 10) = resting;
+*cspan_at(&path, 11) = resting;
 }
 }
 static void keep_cells(int64_t point, int64_t axis, bool back, array_double_2d axes, array_double_3d cells, array_double_3d links) {
@@ -24504,7 +24631,7 @@ for (place = point - 1; place < point + 1; place += 1) {
 least = least + longest_of(place, axis, axes, cells);
 }
 for (place = point - 1; place < point + 1; place += 1) {
-if (!(least < *cspan_at(&path, 14))) {
+if (!(least < *cspan_at(&path, 15))) {
 return 1e+300;
 }
 if (!plan_alone(place, axis, axes, cells, work)) {
@@ -24515,7 +24642,7 @@ least = least + span_max(shortest_of(place, axis, axes, cells) - others, 0.0);
 }
 for (place = point - 1; place < point + 1; place += 1) {
 shortest = span_max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells));
-most = *cspan_at(&path, 14) - (least - shortest);
+most = *cspan_at(&path, 15) - (least - shortest);
 found = common_length(place, most, axes, cells, work);
 if (found >= 1e+300) {
 return 1e+300;
@@ -24539,14 +24666,14 @@ axis = span_floor_mod(spot, axes.shape[0]);
 high = highest_state(field, *cspan_at(&axes, axis, 2 + field));
 low = -highest_state(field, *cspan_at(&axes, axis, 9 + field));
 least = *cspan_at(&spans, point - 1, 10) + *cspan_at(&spans, point, 10);
-move = *cspan_at(&path, 16) * 0.5 * (high - low);
+move = *cspan_at(&path, 17) * 0.5 * (high - low);
 before = 1e+300;
 for (trial = 0; trial < 100; trial += 1) {
 here = *cspan_at(&states, point, axis, 1 + field);
 value = span_min(span_max(here + move, low), high);
 keep_cells(point, axis, 0, axes, cells, links);
 set_state(value, point, axis, field, states, axes, cells);
-*cspan_at(&path, 14) = least / 1.000001;
+*cspan_at(&path, 15) = least / 1.000001;
 found = tried_length(point, axis, states, path, links, spans, axes, cells, timing, coefficients, work);
 if ((trial > 1) && (found < 1e+300)) {
 least = found;
@@ -24573,37 +24700,17 @@ move = -move;
 }
 }
 }
-static bool runs_backwards(array_double_2d spans) {
-int64_t count, j;
-double longest, ahead;
-count = spans.shape[0];
-longest = 0.0;
-for (j = 0; j < count; j += 1) {
-longest = span_max(longest, *cspan_at(&spans, j, 10));
-}
-for (j = 0; j < count; j += 1) {
-ahead = *cspan_at(&spans, j, 10) - *cspan_at(&spans, count - 1 - j, 10);
-if (fabs(ahead) > (1.000001 - 1.0) * longest) {
-return ahead < 0.0;
-}
-}
-return 0;
-}
 static double polish_states(array_double_3d states, array_double_1d path, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
-int64_t count, last, axis, sweep, k, point, spot, field, j;
-bool backwards;
+int64_t count, axis, sweep, point, spot, field, j;
 double total;
 count = axes.shape[0];
-last = states.shape[0] - 1;
 plan_lengths(states, spans, axes, cells, work);
 for (axis = 0; axis < count; axis += 1) {
 *cspan_at(&axes, axis, 12) = 1;
 }
-*cspan_at(&path, 16) = 0.03;
+*cspan_at(&path, 17) = 0.03;
 for (sweep = 0; sweep < 3; sweep += 1) {
-backwards = runs_backwards(spans);
-for (k = 1; k < last; k += 1) {
-point = backwards ? last - k : k;
+for (point = 1; point < states.shape[0] - 1; point += 1) {
 for (spot = point * count; spot < (point + 1) * count; spot += 1) {
 for (field = 0; field < 2; field += 1) {
 if (*cspan_at(&spots, spot, 2, field) != 0.0) {
@@ -24612,7 +24719,7 @@ polish_state(spot, field, states, path, links, spans, axes, cells, timing, coeff
 }
 }
 }
-*cspan_at(&path, 16) = *cspan_at(&path, 16) / 3.1622776601683795;
+*cspan_at(&path, 17) = *cspan_at(&path, 17) / 3.1622776601683795;
 }
 for (axis = 0; axis < count; axis += 1) {
 *cspan_at(&axes, axis, 12) = 0;
@@ -24982,9 +25089,15 @@ if (!(*cspan_at(&lower, axis, order) > 0.0)) {
 }
 bring_down(span_layers(&choice, 0, places), limits, lower, axes);
 take_units(places, choice, limits, lower, axes);
+*cspan_at(&path, 5) = runs_backwards(places, choice, spots);
+if (*cspan_at(&path, 5) != 0.0) {
+reverse_limits(places, choice, limits, lower, axes);
+reverse_places(places, choice);
+reverse_spots(places, axes.shape[0], spots);
+}
 *cspan_at(&path, 3) = axes.shape[0];
 *cspan_at(&path, 4) = places;
-*cspan_at(&path, 6) = 0.0;
+*cspan_at(&path, 7) = 0.0;
 write_tracks(limits, lower, path, axes);
 square = span_rows(&tools, 57, 90);
 write_grid((int64_t)(*cspan_at(&path, 0)), span_rows(&tools, 1, 57), square);
@@ -25008,7 +25121,7 @@ int64_t count, end, first, last;
 path = span_row(&tools, 0);
 count = (int64_t)(*cspan_at(&path, 3));
 end = (int64_t)(*cspan_at(&path, 4)) - 1;
-first = (int64_t)(*cspan_at(&path, 6));
+first = (int64_t)(*cspan_at(&path, 7));
 while((first < end) && is_given(first + 1, count, spots)) {
 first = first + 1;
 }
@@ -25016,8 +25129,8 @@ last = first + 1;
 while((last < end) && (!is_given(last, count, spots))) {
 last = last + 1;
 }
-*cspan_at(&path, 5) = first;
-*cspan_at(&path, 6) = last;
+*cspan_at(&path, 6) = first;
+*cspan_at(&path, 7) = last;
 return last <= end;
 }
 static void searched_states(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
@@ -25027,15 +25140,15 @@ array_double_3d given;
 path = span_row(&tools, 0);
 block_rows(&begin, &end, 0, path, choice);
 given = span_layers(&choice, begin, end);
-block_rows(&begin, &end, (int64_t)(*cspan_at(&path, 15)), path, choice);
+block_rows(&begin, &end, (int64_t)(*cspan_at(&path, 16)), path, choice);
 copy_states(given, span_layers(&choice, begin, end));
-*cspan_at(&path, 12) = 1e+300;
-*cspan_at(&path, 13) = plan_lengths(given, spans, axes, cells, work);
-*cspan_at(&path, 9) = gap_of(3);
+*cspan_at(&path, 13) = 1e+300;
+*cspan_at(&path, 14) = plan_lengths(given, spans, axes, cells, work);
+*cspan_at(&path, 10) = gap_of(3);
 attempts = is_moving(given) ? 2 : 1;
 for (attempt = 0; attempt < attempts; attempt += 1) {
 search_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
-*cspan_at(&path, 9) = gap_of(0);
+*cspan_at(&path, 10) = gap_of(0);
 }
 }
 static bool choose_fields(bool all_fields, array_double_3d spots) {
@@ -25063,18 +25176,18 @@ block_rows(&begin, &end, 1, path, choice);
 best = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 2, path, choice);
 alone = span_layers(&choice, begin, end);
-*cspan_at(&path, 14) = 1e+300;
-*cspan_at(&path, 15) = 1;
+*cspan_at(&path, 15) = 1e+300;
+*cspan_at(&path, 16) = 1;
 searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
 total = polish_states(best, path, spots, links, spans, axes, cells, timing, coefficients, work);
 if (!choose_fields(0, spots)) {
 return total;
 }
-*cspan_at(&path, 14) = total;
-*cspan_at(&path, 15) = 2;
+*cspan_at(&path, 15) = total;
+*cspan_at(&path, 16) = 2;
 searched_states(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
 least = 1e+300;
-if (may_beat(total, 7, *cspan_at(&path, 12))) {
+if (may_beat(total, 7, *cspan_at(&path, 13))) {
 least = polish_states(alone, path, spots, links, spans, axes, cells, timing, coefficients, work);
 }
 choose_fields(1, spots);
@@ -25091,8 +25204,8 @@ array_double_3d part, best, kept, own_spots, own_links, own_cells;
 array_double_2d own_spans;
 double least, share, found;
 path = span_row(&tools, 0);
-first = (int64_t)(*cspan_at(&path, 5));
-last = (int64_t)(*cspan_at(&path, 6));
+first = (int64_t)(*cspan_at(&path, 6));
+last = (int64_t)(*cspan_at(&path, 7));
 block_rows(&begin, &end, 0, path, choice);
 part = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 1, path, choice);
@@ -25109,7 +25222,7 @@ own_spans = span_rows(&spans, first, last);
 own_cells = span_layers(&cells, low, high);
 least = 1e+300;
 copy_states(part, kept);
-share = *cspan_at(&path, 17);
+share = *cspan_at(&path, 18);
 for (attempt = 0; attempt < 2; attempt += 1) {
 if (attempt == 1) {
 if (share <= segfmu_usual_room()) {
@@ -25122,7 +25235,7 @@ write_boxes(share, first, span_layers(&choice, 0, places), path, axes, own_links
 if (!admit_states(part, path, own_spots, own_links)) {
 continue;
 }
-widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work);
+widen_boxes(share, part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work);
 found = fastest_states(choice, tools, axes, own_spots, own_links, own_spans, span_rows(&band, 0, size), own_cells, timing, coefficients, work);
 if (found < least) {
 least = found;
@@ -25131,8 +25244,11 @@ copy_states(best, kept);
 }
 copy_states(kept, part);
 }
-void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice, array_double_2d axes) {
+void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice, array_double_2d tools, array_double_2d axes) {
 int64_t point, own;
+if (*cspan_at(&tools, 0, 5) != 0.0) {
+reverse_places((int64_t)(*cspan_at(&tools, 0, 4)), choice);
+}
 for (point = 0; point < states.shape[0]; point += 1) {
 own = (int64_t)(*cspan_at(&place, point));
 if ((point == 0) || (own != (int64_t)(*cspan_at(&place, point - 1)))) {

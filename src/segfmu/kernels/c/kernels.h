@@ -134,7 +134,7 @@ SEGFMU_API double segfmu_usual_room(void);
 SEGFMU_API bool segfmu_begin_choice(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d allowed, array_double_3d choice, array_double_1d place, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_2d work);
 SEGFMU_API bool segfmu_next_passage(array_double_2d tools, array_double_3d spots);
 SEGFMU_API void segfmu_choose_passage(array_double_3d choice, array_double_2d tools, array_double_2d axes, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
-SEGFMU_API void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice, array_double_2d axes);
+SEGFMU_API void segfmu_end_choice(array_double_3d states, array_double_1d place, array_double_3d choice, array_double_2d tools, array_double_2d axes);
 SEGFMU_API void segfmu_measure_state(array_double_1d state, array_double_1d sensors, array_double_1d numbers, array_double_1d measured);
 SEGFMU_API double segfmu_rig_next_event(array_double_2d settings, array_double_2d memory);
 SEGFMU_API void segfmu_switch_correction(array_double_2d settings, array_double_2d memory);

@@ -4252,13 +4252,15 @@ static PyObject *call_end_choice(
  Py_buffer *in_states;
  Py_buffer *in_place;
  Py_buffer *in_choice;
+ Py_buffer *in_tools;
  Py_buffer *in_axes;
  (void)self;
- if (take_count(&call, count, 4)
+ if (take_count(&call, count, 5)
   && (in_states = take_array(&call, 0, 3, 'd', true)) != NULL
   && (in_place = take_array(&call, 1, 1, 'd', false)) != NULL
   && (in_choice = take_array(&call, 2, 3, 'd', true)) != NULL
-  && (in_axes = take_array(&call, 3, 2, 'd', false)) != NULL
+  && (in_tools = take_array(&call, 3, 2, 'd', false)) != NULL
+  && (in_axes = take_array(&call, 4, 2, 'd', false)) != NULL
   && has_at_least(&call, "states", 0, in_states->shape[0], 1)
   && has_at_least(&call, "states", 1, in_states->shape[1], 1)
   && has_extent(&call, "place", 0, in_place->shape[0], in_states->shape[0])
@@ -4267,11 +4269,14 @@ static PyObject *call_end_choice(
   && has_at_least(&call, "states", 2, in_states->shape[2], 3)
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)) {
   segfmu_end_choice(
    (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
    (array_double_1d){in_place->buf, {in_place->shape[0]}},
    (array_double_3d){in_choice->buf, {in_choice->shape[0], in_choice->shape[1], in_choice->shape[2]}},
+   (array_double_2d){in_tools->buf, {in_tools->shape[0], in_tools->shape[1]}},
    (array_double_2d){in_axes->buf, {in_axes->shape[0], in_axes->shape[1]}});
   answer = Py_NewRef(Py_None);
  }

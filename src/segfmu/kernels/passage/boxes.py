@@ -95,11 +95,14 @@ def is_moving(states: 'float[:,:,:]') -> bool:
 
 
 def widen_boxes(
-    states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]', spans: 'float[:,:]',
-    axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]',
-    work: 'float[:,:]',
+    room: float, states: 'float[:,:,:]', path: 'float[:]', links: 'float[:,:,:]',
+    spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> None:
-    """Widen the boxes to what given states need: the plan that rests in the free ones."""
+    """Widen the boxes to what given states need, and by `room` of that.
+
+    It is what the plan needs that rests in the free ones.
+    """
     count = int(path[Path.AXES])
     if is_moving(states):
         planned = plan_lengths(states, spans, axes, cells, work) < NEVER
@@ -115,6 +118,7 @@ def widen_boxes(
                         side, low, high, here, cells[i, :, :], axes[axis, :], timing,
                         coefficients, work,
                     )
+                    beyond = min((1.0 + room) * beyond, NEVER)
                 # above first
                 edge = 1 - side
                 links[i, Link.BOX, edge] = links[i, Link.BOX, edge] + (1.0 - 2.0 * side) * beyond

@@ -13,6 +13,12 @@ judge.py.
 from segfmu.kernels.limits.places import is_free, take_states, unite_waypoints
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.boxes import admit_states, is_moving, widen_boxes, write_boxes
+from segfmu.kernels.passage.direction import (
+    reverse_limits,
+    reverse_places,
+    reverse_spots,
+    runs_backwards,
+)
 from segfmu.kernels.passage.grid import write_grid
 from segfmu.kernels.passage.judge import copy_states, plan_lengths, set_axes
 from segfmu.kernels.passage.path import gap_of
@@ -49,6 +55,11 @@ def begin_choice(
             axes[axis, Track.ALLOWED + order] = allowed[axis, order]
     bring_down(choice[0:places, :, :], limits, lower, axes)
     take_units(places, choice, limits, lower, axes)
+    path[Path.BACKWARDS] = runs_backwards(places, choice, spots)
+    if path[Path.BACKWARDS] != 0.0:
+        reverse_limits(places, choice, limits, lower, axes)
+        reverse_places(places, choice)
+        reverse_spots(places, axes.shape[0], spots)
     path[Path.AXES] = axes.shape[0]
     path[Path.PLACES] = places
     path[Path.LAST] = 0.0
@@ -195,7 +206,9 @@ def choose_passage(
         write_boxes(share, first, choice[0:places, :, :], path, axes, own_links)
         if not admit_states(part, path, own_spots, own_links):
             continue
-        widen_boxes(part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work)
+        widen_boxes(
+            share, part, path, own_links, own_spans, axes, own_cells, timing, coefficients, work
+        )
         found = fastest_states(
             choice, tools, axes, own_spots, own_links, own_spans, band[0:size, :], own_cells,
             timing, coefficients, work,
@@ -284,12 +297,15 @@ def searched_states(
 
 
 def end_choice(
-    states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]', axes: 'float[:,:]'
+    states: 'float[:,:,:]', place: 'float[:]', choice: 'float[:,:,:]', tools: 'float[:,:]',
+    axes: 'float[:,:]',
 ) -> None:
     """Write the states that were chosen to the waypoints at which they are free.
 
     What one of several waypoints at a place has is that of all, to the last digit.
     """
+    if tools[Tools.PATH, Path.BACKWARDS] != 0.0:
+        reverse_places(int(tools[Tools.PATH, Path.PLACES]), choice)
     for point in range(states.shape[0]):
         own = int(place[point])
         if point == 0 or own != int(place[point - 1]):

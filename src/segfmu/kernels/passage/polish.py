@@ -141,39 +141,19 @@ def polish_state(
             move = -move
 
 
-def runs_backwards(spans: 'float[:,:]') -> bool:
-    """Whether the last intervals are longer than the first ones, by more than rounding."""
-    count = spans.shape[0]
-    longest = 0.0
-    for j in range(count):
-        longest = max(longest, spans[j, Stretch.LENGTH])
-    for j in range(count):
-        ahead = spans[j, Stretch.LENGTH] - spans[count - 1 - j, Stretch.LENGTH]
-        if abs(ahead) > (TIE - 1.0) * longest:
-            return ahead < 0.0
-    return False
-
-
 def polish_states(
     states: 'float[:,:,:]', path: 'float[:]', spots: 'float[:,:,:]', links: 'float[:,:,:]',
     spans: 'float[:,:]', axes: 'float[:,:]', cells: 'float[:,:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
-    """Move all states that are chosen, by smaller and smaller steps; the duration then [s].
-
-    The points come in the order of the longer first interval, so that a path and its reverse end
-    alike.
-    """
+    """Move all states that are chosen, by smaller and smaller steps; the duration then [s]."""
     count = axes.shape[0]
-    last = states.shape[0] - 1
     plan_lengths(states, spans, axes, cells, work)
     for axis in range(count):
         axes[axis, Axis.EFFORT] = Effort.QUICK
     path[Path.STEP] = LAST_GAP
     for sweep in range(SWEEPS):
-        backwards = runs_backwards(spans)
-        for k in range(1, last):
-            point = last - k if backwards else k
+        for point in range(1, states.shape[0] - 1):
             for spot in range(point * count, (point + 1) * count):
                 for field in range(Free.SIZE):
                     if spots[spot, Spot.CHOSEN, field] != 0.0:

@@ -20,6 +20,7 @@ class Path(Record):
     ROWS = field("of the grid")
     AXES = field("that meet in the waypoints")
     PLACES = field("of the waypoints")
+    BACKWARDS = field("1: the mission is chosen from its end")
     FIRST = field("place at which the passage begins")
     LAST = field("place at which it ends; 0: there is none yet")
     TERMS = field("of the barrier")

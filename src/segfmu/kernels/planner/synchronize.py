@@ -10,6 +10,8 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * three ramps over two levels, slowed down alike (gentle.py): slower ramps are smoother;
 * the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
   faster time, stretched;
+* where one of the states is at rest, the shortest profile and a wait there: both above have failed
+  mostly as the motion turns back, which slower ramps do farther from its path;
 * that form with full ramps: the first one for a motion that turns back, as it stays near its path;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it;
 * the shortest profile at a slower pace, if it passes zero jerk with snap;
@@ -35,8 +37,10 @@ from segfmu.kernels.planner.passing import slower_form
 from segfmu.kernels.planner.phases import (
     boundary_problem,
     fit_duration,
+    insert_hold,
     measure_phases,
     stretch_phases,
+    total_duration,
 )
 from segfmu.kernels.planner.profile import plain_profile, shortest_profile
 from segfmu.kernels.planner.records import (
@@ -198,6 +202,8 @@ def timed_profile(target: float, axis: 'float[:]', cell: 'float[:,:]', work: 'fl
 def timed_forwards(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """`timed_profile` of the row PROBLEM, in the direction that this has."""
     weight = timed_smoothly(False, axis, cell, work)
+    if weight < 0.0:
+        weight = timed_waiting(axis, cell, work)
     if weight >= 0.0:
         return weight
     weight = timed_braked(axis, cell, work)
@@ -231,6 +237,26 @@ def timed_smoothly(
     weight = nearest_weight(work[PlanWork.PROBLEM, :], axis, work[PlanWork.NEAREST, :])
     surround_nearest(0, axis, cell, work)
     return weight
+
+
+def timed_waiting(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
+    """`timed_profile` where one state is at rest: the shortest profile, and a wait there.
+
+    -1: both states move, or that profile is not found again.
+    """
+    problem, phases = work[PlanWork.PROBLEM, :], cell[Cell.BELOW:Cell.ABOVE, :]
+    first = problem[Problem.V] == 0.0 and problem[Problem.A] == 0.0
+    last = problem[Problem.W] == 0.0 and problem[Problem.B] == 0.0
+    if not first and not last:
+        return -1.0
+    count = shortest_profile(problem, axis, phases, work)
+    rest = problem[Problem.DURATION] - total_duration(phases, max(count, 0))
+    if count <= 0 or rest < 0.0:
+        return -1.0
+    count = insert_hold(phases, count, 0 if first else count, 0.0, rest)
+    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
+    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
+    return 0.0
 
 
 def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:

@@ -116,7 +116,7 @@ void choose_free_states(feedforward *m, request *r)
                                       c.cells, c.timing, c.coefficients, c.work);
             }
         }
-        segfmu_end_choice(c.states, c.place, c.choice, c.axes);
+        segfmu_end_choice(c.states, c.place, c.choice, c.tools, c.axes);
         for (int64_t i = 0; i < points * count; i++) {
             const int64_t place = i / count * AXES + first + i % count;
             const double *state = c.states.data + i * WAYPOINT_STATE_SIZE;
