@@ -48,6 +48,8 @@ WRONG = {
     "time,a,a [m]\n0,1,2\n": "two columns are called 'a'",
     "": "empty; the first line names the columns",
     "wind.x\n0\n": "has no column time",
+    # what is behind the first line is not read before that is right
+    'wind.x\n"0\n': "has no column time",
     "time\n0\n": "has no column beside time",
     "time,a,a\n0,1,2\n": "two columns are called 'a'",
     "time,a\n": "has no rows below its header",

@@ -99,23 +99,25 @@ def load_recording(path: Path) -> Recording:
     InputError
         One line with the file, the row, and what is wrong.
     """
-    found = list(read_rows(path))
-    if not found:
+    rows = read_rows(path)
+    _, cells = next(rows, (0, []))
+    if not cells:
         raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
-    (_, cells), *rows = found
     names = without_units(cells, signal_units(), str(path))
     _require_header(path, names)
-    if not rows:
-        raise InputError(f"{path}: has no rows below its header")
     columns: dict[str, list[Cell]] = {name: [] for name in names}
+    lines = []
     for number, row in rows:
+        lines.append(number)
         where = f"{path}, line {number}"
         require_count(where, row, names)
         for name, text in zip(names, row, strict=True):
             columns[name].append(_cell(f"{where}: {name}", text))
-    lines = tuple(number for number, _ in rows)
+    if not lines:
+        raise InputError(f"{path}: has no rows below its header")
     times = _times(path, lines, columns.pop(TIME))
-    return Recording(path, times, {name: tuple(cells) for name, cells in columns.items()}, lines)
+    found = {name: tuple(cells) for name, cells in columns.items()}
+    return Recording(path, times, found, tuple(lines))
 
 
 def _require_header(path: Path, names: Sequence[str]) -> None:
