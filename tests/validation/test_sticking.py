@@ -68,3 +68,12 @@ def test_a_stop_that_is_early_is_told_by_how_much(static: float) -> None:
         words = told.split()
         assert " ".join(words[:4]) == "the trolley may stop" and words[5:8] == ["mm", "early", "at"]
         assert float(words[4]) == pytest.approx(1e3 * early, rel=0.2)
+
+
+@pytest.mark.parametrize("presliding", [1e-4, 1e-3])
+def test_axes_that_spring_back_are_told(presliding: float) -> None:
+    """What holds a contact deflected is let go at rest."""
+    task = mission(ACROSS, {"hoist": {"coulomb": 3.0}, "presliding": presliding})
+    run = simulate(task)
+    told = [note for note in run.notes if "springs back by friction.presliding, 1 mm" in note]
+    assert (len(told) == 1) == (run.criteria.tracking_error > 5e-4) == (presliding == 1e-3)

@@ -1,4 +1,4 @@
-"""Where static friction leads a force drive off its plan: it may stick, run ahead, or stop early.
+"""Where friction leads force drives off a plan: they may stick, run ahead, stop early, spring back.
 
 While the velocity passes that over which friction falls, a deviation grows by the slope of the
 friction over the mass, towards both sides. Stops of a plan have Coulomb friction alone, so that
@@ -24,15 +24,22 @@ BETWEEN = 48
 FALLEN = 3.0
 # exponent of the growth of a deviation that force setpoints are exact enough for
 GROWN = 8.0
-# of the tolerance of the load's way, by which a stop may be early
+# of the tolerance of the load's way, by which a stop may be early, or an axis spring back
 EARLY = 0.5
 
 
 def sticking(task: Mission, trajectory: Trajectory) -> str:
-    """The force drive that static friction leads off its plan most; else empty."""
-    friction = task.build_friction()
-    if (task.simulation.drive or task.simulated.drive) == "velocity" or not any(friction.static):
+    """The force drive that dry friction leads off its plan most; else empty."""
+    friction, tolerance = task.build_friction(), EARLY * task.simulation.tracking_tolerance
+    rubs = any(friction.coulomb) or any(friction.static)
+    if (task.simulation.drive or task.simulated.drive) == "velocity" or not rubs:
         return ""
+    if friction.presliding > tolerance:
+        return (
+            "where an axis with dry friction rests it springs back by friction.presliding, "
+            f"{1e3 * friction.presliding:.3g} mm; use feedback, or raise "
+            "simulation.tracking_tolerance"
+        )
     crane, masses = task.build_crane(), task.crane
     contacts = FlatInverse(crane, trajectory, friction).contacts
     nodes = np.unique([*contacts.times, *trajectory.events, 0.0, trajectory.duration])
@@ -65,7 +72,7 @@ def sticking(task: Mission, trajectory: Trajectory) -> str:
             "while its friction falls from static to Coulomb friction; use feedback, a higher jerk "
             "and snap in [limits], or a larger friction.width"
         )
-    if early[0] > EARLY * task.simulation.tracking_tolerance:
+    if early[0] > tolerance:
         return (
             f"{early[1]}: it does so slowly, and its friction rises from Coulomb to static "
             "friction before it rests; use feedback, a higher jerk and snap in [limits], or a "
