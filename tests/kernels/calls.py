@@ -376,7 +376,7 @@ def trajectory_calls() -> dict[str, Call]:
         ),
         "path_ranges": (*pieces, 9.81, zeros(2, width), zeros(Ranges.SIZE, 3)),
         "first_contact": (
-            *pieces, 9.81, boxes.copy(), rope.copy(), stack.copy(), ranges.copy(),
+            *pieces, 9.81, boxes.copy(), rope.copy(), stack.copy(), ranges.copy(), True,
             zeros(Collision.SIZE),
         ),
         "path_excursion": (
@@ -388,7 +388,7 @@ def trajectory_calls() -> dict[str, Call]:
         "write_box": (space, obstacles[0].copy(), zeros(Box.SIZE)),
         "space_contact": (
             *pieces, space, obstacles, zeros(2 + SpaceLimits.FACES, Box.SIZE), rope.copy(),
-            stack.copy(), ranges.copy(), zeros(SpaceFault.SIZE),
+            stack.copy(), ranges.copy(), True, zeros(SpaceFault.SIZE),
         ),
         "evaluate": (np.linspace(-0.1, 9.0, 20), *pieces, ends, 2, zeros(20, 3)),
         "evaluate_orders": (0.4, *pieces, ends, zeros(5, 3)),

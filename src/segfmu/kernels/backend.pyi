@@ -114,6 +114,7 @@ def first_contact(
     work: Floats,
     stack: Floats,
     ranges: Floats,
+    lasting: bool,
     report: Floats,
     /,
 ) -> int: ...
@@ -141,6 +142,7 @@ def space_contact(
     work: Floats,
     stack: Floats,
     ranges: Floats,
+    lasting: bool,
     fault: Floats,
     /,
 ) -> int: ...

@@ -57,7 +57,7 @@ class Path:
         report, trajectory = np.zeros(Collision.SIZE), self._trajectory
         part = backend.first_contact(
             trajectory.timing, trajectory.coefficients, trajectory.offsets, self._gravity,
-            boxes.copy(), self._work(), self._stack(), self.ranges.copy(), report,
+            boxes.copy(), self._work(), self._stack(), self.ranges.copy(), True, report,
         )
         return part, report
 

@@ -253,7 +253,7 @@ class FeedforwardSlave(SpecSlave):
             np.zeros((SpaceLimits.FACES + len(obstacles), Box.SIZE)),
             np.zeros((RopeWork.SIZE, 4 * width - 5)),
             np.zeros((Stack.ROWS, Span.SIZE, 2 * width - 3)), np.zeros((Ranges.SIZE, len(AXES))),
-            fault,
+            True, fault,
         )
         if status != SpaceStatus.CLEAR:
             raise InfeasibleError(SPACE.text(status, fault))

@@ -44,8 +44,9 @@ static bool check_motion(int64_t axis, array_double_3d states, array_double_2d t
 static int64_t check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static int64_t check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double least_depth(void);
-static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
+static bool is_easy(int64_t demand, double lowest, double highest, double pull, double square, array_double_1d bounds);
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets);
 static void interval_pieces(double time, double until, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work);
 static double demand_bound(int64_t demand, array_double_1d bounds);
@@ -58,7 +59,7 @@ static void begin_span(double time, double until, int64_t width, array_double_2d
 static void write_span_pull(double gravity, array_double_2d work, array_double_2d span);
 static void write_difference(int64_t first, int64_t pull, int64_t second, int64_t other, double length, int64_t row, array_double_2d work, array_double_2d span);
 static void write_span_products(array_double_2d work, array_double_2d span);
-static void halve_span(int64_t row, array_double_3d stack);
+static void halve_span(int64_t row, int64_t moving, array_double_3d stack);
 static int64_t part_meeting(int64_t part, array_double_2d span, array_double_1d box);
 static void note_place(int64_t part, array_double_2d span, array_double_1d box, array_double_1d place);
 static int64_t note_time(int64_t found, array_double_2d span, array_double_2d times);
@@ -1996,29 +1997,45 @@ most = span_max(most, *cspan_at(&work, 0, i));
 (*result_1) = most;
 return 0;
 }
-static double least_depth(void) {
-return 1e-06;
-}
-static bool is_rope_easy(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work) {
+static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work) {
 double lowest, highest, least, most, pull, square, slope;
 int64_t axis;
-bool result;
 sum_range(&lowest, &highest, 2, 1.0, 0.0, timing, coefficients, offsets, work);
 sum_range(&least, &most, 2, 0.0, 1.0, timing, coefficients, offsets, work);
 pull = *cspan_at(&bounds, 0) + span_min(least, 0.0);
-if ((highest > -least_depth()) || (pull <= 0.0)) {
-return 0;
-}
 square = 1.0;
+if (pull > 0.0) {
 for (axis = 0; axis < 2; axis += 1) {
 sum_range(&least, &most, axis, 0.0, 1.0, timing, coefficients, offsets, work);
 slope = span_max(-least, most) / pull;
 square = square + slope * slope;
 }
-if ((*cspan_at(&bounds, 2) > 0.0) && ((-lowest) * sqrt(square) > *cspan_at(&bounds, 2))) {
+}
+(*result_0) = lowest;
+(*result_1) = highest;
+(*result_2) = pull;
+(*result_3) = square;
 return 0;
 }
+static double least_depth(void) {
+return 1e-06;
+}
+static bool is_easy(int64_t demand, double lowest, double highest, double pull, double square, array_double_1d bounds) {
+bool result;
+if (demand == 2) {
+return pull > 0.0;
+}
+if (demand == 4) {
 result = -highest >= *cspan_at(&bounds, 1);
+return result;
+}
+if (highest > -least_depth()) {
+return 0;
+}
+if ((demand == 1) || (*cspan_at(&bounds, 2) <= 0.0)) {
+return 1;
+}
+result = (pull > 0.0) && ((-lowest) * sqrt(square) <= *cspan_at(&bounds, 2));
 return result;
 }
 static double interval_end(double time, array_double_2d timing, array_int64_t_1d offsets) {
@@ -2178,12 +2195,17 @@ until = interval_end(time, timing, offsets);
 return sign * worst;
 }
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report) {
-int64_t none, intervals, demand, count, failed;
-double time, until, share;
-if (is_rope_easy(timing, coefficients, offsets, bounds, work)) {
+int64_t none, first, intervals, demand, count, failed;
+double lowest, highest, pull, square, time, until, share;
+none = 4 + 1;
+rope_ranges(&lowest, &highest, &pull, &square, timing, coefficients, offsets, bounds, work);
+first = 1;
+while((first < none) && is_easy(first, lowest, highest, pull, square, bounds)) {
+first = first + 1;
+}
+if (first == none) {
 return 0;
 }
-none = 4 + 1;
 time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
 until = interval_end(time, timing, offsets);
 failed = none;
@@ -2191,7 +2213,10 @@ intervals = 0;
 while((until > time) || (intervals == 0)) {
 intervals = intervals + 1;
 interval_pieces(time, until, timing, coefficients, offsets, *cspan_at(&bounds, 0), work);
-for (demand = 1; demand < failed; demand += 1) {
+for (demand = first; demand < failed; demand += 1) {
+if (is_easy(demand, lowest, highest, pull, square, bounds)) {
+continue;
+}
 count = rope_demand(demand, bounds, coefficients.shape[1], work);
 if (count > 0) {
 share = first_negative(count, until - time, work);
@@ -2227,17 +2252,12 @@ bernstein_coefficients(work, 6, columns, length, part);
 }
 static void begin_span(double time, double until, int64_t width, array_double_2d work, array_double_2d span) {
 double place;
-int64_t axis, i, row;
+int64_t axis, i;
 place = 0.0;
 for (axis = 0; axis < 3; axis += 1) {
 write_row(0 + axis, width, until - time, 0 + axis, work, span);
 for (i = 0; i < span.shape[1]; i += 1) {
 place = span_max(place, fabs(*cspan_at(&span, 0 + axis, i)));
-}
-}
-for (row = 3; row < 9; row += 1) {
-for (i = 0; i < span.shape[1]; i += 1) {
-*cspan_at(&span, row, i) = 0.0;
 }
 }
 *cspan_at(&span, 9, 0) = time;
@@ -2310,14 +2330,14 @@ until = interval_end(time, timing, offsets);
 }
 return count;
 }
-static void halve_span(int64_t row, array_double_3d stack) {
+static void halve_span(int64_t row, int64_t moving, array_double_3d stack) {
 int64_t count, k, r, i;
 array_double_2d span, first;
 double half;
 count = stack.shape[2];
 span = span_matrix(&stack, row);
 first = span_matrix(&stack, row + 1);
-for (k = 0; k < 9; k += 1) {
+for (k = 0; k < moving; k += 1) {
 for (r = 0; r < count; r += 1) {
 *cspan_at(&first, k, r) = *cspan_at(&span, k, 0);
 for (i = 0; i < count - 1 - r; i += 1) {
@@ -2377,17 +2397,18 @@ if (found < rows) {
 return found + 1;
 }
 static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box, array_double_3d stack, array_double_2d times, array_double_1d place) {
-int64_t rows, halvings, meeting;
+int64_t rows, halvings, moving, meeting;
 array_double_2d span;
 bool deep;
 rows = 1;
 halvings = 0;
+moving = part == 1 ? 3 : 9;
 while(rows > 0) {
 span = span_matrix(&stack, rows - 1);
 meeting = part_meeting(part, span, box);
 deep = *cspan_at(&span, 9, 2) > 39.5;
 if ((meeting == 2) && (!deep) && (halvings < 20000) && part_moves(part, span)) {
-halve_span(rows - 1, stack);
+halve_span(rows - 1, moving, stack);
 rows = rows + 1;
 halvings = halvings + 1;
 continue;
@@ -2700,7 +2721,7 @@ for (axis = 0; axis < 3; axis += 1) {
 }
 }
 }
-int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d report) {
+int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, bool lasting, array_double_1d report) {
 double time, until;
 bool lasts, begun, ended;
 array_double_2d span;
@@ -2732,7 +2753,8 @@ else {
 note_first(part, boxes, stack, ranges, report);
 }
 }
-ended = (*cspan_at(&report, 0) < 1e+300) && (*cspan_at(&report, 1) < until * (1 - 1e-11));
+ended = (!lasting) || (*cspan_at(&report, 1) < until * (1 - 1e-11));
+ended = ended && (*cspan_at(&report, 0) < 1e+300);
 time = until;
 until = interval_end(time, timing, offsets);
 lasts = (until > time) && (!ended);
@@ -2804,7 +2826,7 @@ return 5;
 }
 return 0;
 }
-int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d space, array_double_2d obstacles, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d fault) {
+int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d space, array_double_2d obstacles, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, bool lasting, array_double_1d fault) {
 int64_t status, count, number, part, axis;
 array_double_2d used;
 status = check_space(space, obstacles, fault);
@@ -2818,7 +2840,7 @@ segfmu_write_box(space, span_row(&obstacles, number), span_row(&boxes, 6 + numbe
 }
 segfmu_path_ranges(timing, coefficients, offsets, *cspan_at(&space, 0), work, ranges);
 used = span_rows(&boxes, 0, 6 + count);
-part = segfmu_first_contact(timing, coefficients, offsets, *cspan_at(&space, 0), used, work, stack, ranges, fault);
+part = segfmu_first_contact(timing, coefficients, offsets, *cspan_at(&space, 0), used, work, stack, ranges, lasting, fault);
 if (part == 0) {
 return 0;
 }
@@ -12154,7 +12176,7 @@ pieces = span_part(&offsets, first, first + 4);
 if (segfmu_check_rope(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 1), span_rows(&work, 0, 52), span_row(&work, 80)) != 0) {
 return 3;
 }
-contact = segfmu_space_contact(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 4), span_rows(&known, 9, 25), span_rows(&work, 52, 74), span_rows(&work, 0, 52), stack, span_rows(&work, 74, 80), span_row(&work, 80));
+contact = segfmu_space_contact(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 4), span_rows(&known, 9, 25), span_rows(&work, 52, 74), span_rows(&work, 0, 52), stack, span_rows(&work, 74, 80), 0, span_row(&work, 80));
 if (contact == 3) {
 return 4;
 }

@@ -18,9 +18,9 @@ SEGFMU_API bool segfmu_leaves_range(int64_t axis, double begin, double end, doub
 SEGFMU_API int64_t segfmu_path_excursion(array_double_2d led, array_double_2d positions, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_1d excursion);
 SEGFMU_API void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges);
 SEGFMU_API void segfmu_shrink_boxes(double touch, array_double_2d boxes);
-SEGFMU_API int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d report);
+SEGFMU_API int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, bool lasting, array_double_1d report);
 SEGFMU_API void segfmu_write_box(array_double_1d space, array_double_1d obstacle, array_double_1d box);
-SEGFMU_API int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d space, array_double_2d obstacles, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, array_double_1d fault);
+SEGFMU_API int64_t segfmu_space_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d space, array_double_2d obstacles, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, bool lasting, array_double_1d fault);
 SEGFMU_API void segfmu_crane_rhs(array_double_1d state, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative);
 SEGFMU_API void segfmu_crane_driven(array_double_1d state, array_double_1d carriage, array_double_1d generalized_force, array_double_1d load_force, array_double_1d masses, array_double_1d derivative, array_double_1d force);
 SEGFMU_API void segfmu_crane_flat_inverse(array_double_2d flat, array_double_1d masses, array_double_1d force, array_double_1d state, array_double_1d acceleration);

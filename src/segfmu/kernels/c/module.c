@@ -388,9 +388,10 @@ static PyObject *call_first_contact(
  Py_buffer *in_work;
  Py_buffer *in_stack;
  Py_buffer *in_ranges;
+ bool in_lasting;
  Py_buffer *in_report;
  (void)self;
- if (take_count(&call, count, 9)
+ if (take_count(&call, count, 10)
   && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
   && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
   && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
@@ -399,7 +400,8 @@ static PyObject *call_first_contact(
   && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
   && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
   && (in_ranges = take_array(&call, 7, 2, 'd', true)) != NULL
-  && (in_report = take_array(&call, 8, 1, 'd', true)) != NULL
+  && take_bool(&call, 8, &in_lasting)
+  && (in_report = take_array(&call, 9, 1, 'd', true)) != NULL
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
   && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
@@ -424,6 +426,7 @@ static PyObject *call_first_contact(
    (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
    (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
    (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}},
+   in_lasting,
    (array_double_1d){in_report->buf, {in_report->shape[0]}}));
  }
  release_arguments(&call);
@@ -488,9 +491,10 @@ static PyObject *call_space_contact(
  Py_buffer *in_work;
  Py_buffer *in_stack;
  Py_buffer *in_ranges;
+ bool in_lasting;
  Py_buffer *in_fault;
  (void)self;
- if (take_count(&call, count, 10)
+ if (take_count(&call, count, 11)
   && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
   && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
   && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
@@ -500,7 +504,8 @@ static PyObject *call_space_contact(
   && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
   && (in_stack = take_array(&call, 7, 3, 'd', true)) != NULL
   && (in_ranges = take_array(&call, 8, 2, 'd', true)) != NULL
-  && (in_fault = take_array(&call, 9, 1, 'd', true)) != NULL
+  && take_bool(&call, 9, &in_lasting)
+  && (in_fault = take_array(&call, 10, 1, 'd', true)) != NULL
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
   && has_at_least(&call, "obstacles", 0, in_obstacles->shape[0], 1)
@@ -530,6 +535,7 @@ static PyObject *call_space_contact(
    (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
    (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}},
    (array_double_2d){in_ranges->buf, {in_ranges->shape[0], in_ranges->shape[1]}},
+   in_lasting,
    (array_double_1d){in_fault->buf, {in_fault->shape[0]}}));
  }
  release_arguments(&call);

@@ -66,13 +66,15 @@ def halved_contacts(
     """Add the contacts of the first span of the stack to those found; returns their number."""
     rows = 1
     halvings = 0
+    # of the load, what the rope follows from is not needed
+    moving = Span.REACH if part == Part.LOAD else Span.MOMENT
     while rows > 0:
         span = stack[rows - 1, :, :]
         meeting = part_meeting(part, span, box)
         deep = span[Span.MOMENT, Moment.DEPTH] > 39.5
         # a contact takes about 100 halvings; more than this only follow a face within rounding
         if meeting == Meeting.OPEN and not deep and halvings < 20000 and part_moves(part, span):
-            halve_span(rows - 1, stack)
+            halve_span(rows - 1, moving, stack)
             rows = rows + 1
             halvings = halvings + 1
             continue

@@ -18,6 +18,7 @@ def first_contact(
     work: 'float[:,:]',
     stack: 'float[:,:,:]',
     ranges: 'float[:,:]',
+    lasting: bool,
     report: 'float[:]',
 ) -> int:
     """The part (Part) that meets one of the boxes first, with a report (Collision); or CLEAR.
@@ -25,7 +26,8 @@ def first_contact(
     Pieces as for `check_rope`, of `width` coefficients; work (RopeWork.SIZE, 4 width - 5 or more),
     stack (Stack.ROWS, Span.SIZE, 2 width - 3), ranges those of `path_ranges`, which are used up.
     boxes (.., Box) are made smaller by what may be touched. The rope counts where the load meets
-    nothing: it has to follow that.
+    nothing: it has to follow that. lasting: whether to find when the contact ends; else its end is
+    not known.
     """
     shrink_boxes(touch_distance(ranges), boxes)
     if not is_any_near(Part.LOAD, boxes, ranges) and not is_any_near(Part.ROPE, boxes, ranges):
@@ -50,7 +52,8 @@ def first_contact(
                 else:
                     note_first(part, boxes, stack, ranges, report)
             # a contact that ends before the span does has ended
-            ended = report[Collision.BEGIN] < NEVER and report[Collision.END] < until * (1 - 1e-11)
+            ended = not lasting or report[Collision.END] < until * (1 - 1e-11)
+            ended = ended and report[Collision.BEGIN] < NEVER
             time = until
             until = interval_end(time, timing, offsets)
             lasts = until > time and not ended

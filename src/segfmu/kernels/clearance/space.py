@@ -76,6 +76,7 @@ def space_contact(
     work: 'float[:,:]',
     stack: 'float[:,:,:]',
     ranges: 'float[:,:]',
+    lasting: bool,
     fault: 'float[:]',
 ) -> int:
     """What a path leaves or meets first, a `SpaceStatus`, with a `SpaceFault`.
@@ -93,7 +94,8 @@ def space_contact(
     path_ranges(timing, coefficients, offsets, space[Space.GRAVITY], work, ranges)
     used = boxes[0:SpaceLimits.FACES + count, :]
     part = first_contact(
-        timing, coefficients, offsets, space[Space.GRAVITY], used, work, stack, ranges, fault
+        timing, coefficients, offsets, space[Space.GRAVITY], used, work, stack, ranges, lasting,
+        fault,
     )
     if part == Part.CLEAR:
         return SpaceStatus.CLEAR

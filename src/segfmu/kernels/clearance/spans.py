@@ -47,7 +47,7 @@ def begin_span(
     """Begin the span between two times [s] without a change of piece: where the load is.
 
     `interval_pieces` has written pieces of `width` coefficients to work, which `write_span_pull`
-    goes on with. Rows of the rope are 0.
+    goes on with.
     """
     place = 0.0
     for axis in range(3):
@@ -56,9 +56,6 @@ def begin_span(
         )
         for i in range(span.shape[1]):
             place = max(place, abs(span[Span.LOAD + axis, i]))
-    for row in range(Span.REACH, Span.MOMENT):
-        for i in range(span.shape[1]):
-            span[row, i] = 0.0
     span[Span.MOMENT, Moment.START] = time
     span[Span.MOMENT, Moment.LENGTH] = until - time
     span[Span.MOMENT, Moment.DEPTH] = 0.0
@@ -126,12 +123,12 @@ def write_difference(
     write_row(RopeWork.PRODUCTS, 2 * width - 3, length, row, work, span)
 
 
-def halve_span(row: int, stack: 'float[:,:,:]') -> None:
-    """Halve the span of a row: the second half stays, the first one follows."""
+def halve_span(row: int, moving: int, stack: 'float[:,:,:]') -> None:
+    """Halve the first `moving` rows of a span: its second half stays, the first one follows."""
     count = stack.shape[2]
     span = stack[row, :, :]
     first = stack[row + 1, :, :]
-    for k in range(Span.MOMENT):
+    for k in range(moving):
         for r in range(count):
             first[k, r] = span[k, 0]
             for i in range(count - 1 - r):

@@ -4,7 +4,7 @@ Each demand of `RopeDemand` is a polynomial in time that must not become negativ
 it from crane/flatness.py (errata E7) and writes it to _rope.py. A polynomial lies in the hull of
 its Bernstein coefficients; if the hull is too wide, the interval is halved. Nothing is sampled, so
 nothing is missed between samples. An interval is a time between changes of piece on any axis. Most
-motions are far from their bounds, which ranges over the whole trajectory tell.
+motions are far from most bounds, which ranges over the whole trajectory tell.
 """
 
 from math import sqrt
@@ -35,9 +35,13 @@ def check_rope(
     (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length
     [m].
     """
-    if is_rope_easy(timing, coefficients, offsets, bounds, work):
-        return RopeDemand.MET
     none = RopeDemand.NOT_TOO_SHORT + 1
+    lowest, highest, pull, square = rope_ranges(timing, coefficients, offsets, bounds, work)
+    first = int(RopeDemand.BELOW_TROLLEY)
+    while first < none and is_easy(first, lowest, highest, pull, square, bounds):
+        first = first + 1
+    if first == none:
+        return RopeDemand.MET
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     failed = none
@@ -48,7 +52,9 @@ def check_rope(
         interval_pieces(
             time, until, timing, coefficients, offsets, bounds[RopeBounds.GRAVITY], work
         )
-        for demand in range(RopeDemand.BELOW_TROLLEY, failed):
+        for demand in range(first, failed):
+            if is_easy(demand, lowest, highest, pull, square, bounds):
+                continue
             count = rope_demand(demand, bounds, coefficients.shape[1], work)
             if count > 0:
                 share = first_negative(count, until - time, work)
@@ -67,32 +73,47 @@ def check_rope(
     return failed
 
 
-def is_rope_easy(
+def rope_ranges(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
     bounds: 'float[:]',
     work: 'float[:,:]',
-) -> bool:
-    """Whether all demands are met by the ranges of the whole trajectory alone.
+) -> 'tuple[float, float, float, float]':
+    """Ranges of the whole trajectory: the load's heights and the least pull of z.
 
-    The rope is as long as the load is deep where it is vertical, and longer by the most where its
-    slope is the greatest.
+    The last one is the square of the greatest length of the rope over its depth, where it pulls.
     """
     lowest, highest = sum_range(2, 1.0, 0.0, timing, coefficients, offsets, work)
     least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
     # an axis may rest before the others do
     pull = bounds[RopeBounds.GRAVITY] + min(least, 0.0)
-    if highest > -least_depth() or pull <= 0.0:
-        return False
     square = 1.0
-    for axis in range(2):
-        least, most = sum_range(axis, 0.0, 1.0, timing, coefficients, offsets, work)
-        slope = max(-least, most) / pull
-        square = square + slope * slope
-    if bounds[RopeBounds.LONGEST] > 0.0 and -lowest * sqrt(square) > bounds[RopeBounds.LONGEST]:
+    if pull > 0.0:
+        for axis in range(2):
+            least, most = sum_range(axis, 0.0, 1.0, timing, coefficients, offsets, work)
+            slope = max(-least, most) / pull
+            square = square + slope * slope
+    return lowest, highest, pull, square
+
+
+def is_easy(
+    demand: int, lowest: float, highest: float, pull: float, square: float, bounds: 'float[:]'
+) -> bool:
+    """Whether a demand is met by `rope_ranges` alone.
+
+    The rope is as long as the load is deep where it is vertical, and longer by the most where its
+    slope is the greatest.
+    """
+    if demand == RopeDemand.TAUT:
+        return pull > 0.0
+    if demand == RopeDemand.NOT_TOO_SHORT:
+        return -highest >= bounds[RopeBounds.SHORTEST]
+    if highest > -least_depth():
         return False
-    return -highest >= bounds[RopeBounds.SHORTEST]
+    if demand == RopeDemand.BELOW_TROLLEY or bounds[RopeBounds.LONGEST] <= 0.0:
+        return True
+    return pull > 0.0 and -lowest * sqrt(square) <= bounds[RopeBounds.LONGEST]
 
 
 def least_depth() -> float:

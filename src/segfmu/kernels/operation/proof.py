@@ -48,7 +48,7 @@ def prove_crane(
         timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known[Known.SPACE, :],
         known[Known.OBSTACLES:Known.SIZE, :], work[OperationWork.BOXES:OperationWork.RANGES, :],
         work[OperationWork.ROPE:OperationWork.BOXES, :], stack,
-        work[OperationWork.RANGES:OperationWork.FAULT, :], work[OperationWork.FAULT, :],
+        work[OperationWork.RANGES:OperationWork.FAULT, :], False, work[OperationWork.FAULT, :],
     )
     if contact == SpaceStatus.WORKSPACE:
         return OperationStatus.WORKSPACE

@@ -227,7 +227,7 @@ bool require_space(feedforward *m, char message[MESSAGE])
         timing_of(&t), matrix((double *)t.coefficients, t.pieces, width), offsets_of(&t),
         vector(space, SPACE_SIZE), matrix(obstacles, SPACE_LIMITS_OBSTACLES, OBSTACLE_ROW_SIZE),
         boxes, work, cuboid(left, STACK_ROWS, SPAN_SIZE, columns),
-        matrix(ranges, RANGES_SIZE, AXES), vector(fault, SPACE_FAULT_SIZE));
+        matrix(ranges, RANGES_SIZE, AXES), true, vector(fault, SPACE_FAULT_SIZE));
     return !segfmu_space_message(status, fault, message, MESSAGE) && note_contacts(m, message);
 }
 
