@@ -99,7 +99,7 @@ def plan_motion(problem: Problem) -> Motion:
     if status == PlanStatus.MORE_PIECES:
         space.enlarge()
         status = backend.expand_motion(*call, space.timing, space.coefficients, *found)
-    used = offsets[-1]
+    used = int(offsets[-1])
     report = None
     if status < 0 and status != PlanStatus.CHECK_FAILED:
         report = space.refusal.copy()

@@ -93,8 +93,6 @@ def plan(
     request = checked_request(
         waypoints, limits, smoothness, shape, synchronize, sample_time, duration, axis_names
     )
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress must be a function, got {shown(progress)}")
     allowed = position_range(position_min, position_max, len(request.axis_names))
     chosen = choose_states(request, _share("overshoot", overshoot), progress, allowed)
     trajectory = planned(chosen)

@@ -136,7 +136,9 @@ def _checked_waypoints(waypoints: Sequence[Waypoint], smoothness: float) -> tupl
 
 def _require_start(number: int, point: Waypoint, smoothness: float) -> None:
     """InputError for derivatives above the acceleration where a waypoint cannot have them."""
-    for order, name in enumerate(DERIVATIVES[FREE:], FREE + 1):
+    # the first one may have those that the plan has continuous
+    first = FREE if number > 1 else int(smoothness)
+    for order, name in enumerate(DERIVATIVES[first:], first + 1):
         given = getattr(point, name)
         # in a tenth of the time of `given.any()`
         if not np.count_nonzero(given):
@@ -145,11 +147,10 @@ def _require_start(number: int, point: Waypoint, smoothness: float) -> None:
             raise InputError(
                 f"waypoint {number}: {name} is {given.tolist()}; only the first waypoint has one"
             )
-        if order > smoothness:
-            raise InputError(
-                f"waypoint {number}: {name} is {given.tolist()}; with smoothness {smoothness:g} "
-                f"it may jump anywhere; omit it or raise smoothness to {order}"
-            )
+        raise InputError(
+            f"waypoint {number}: {name} is {given.tolist()}; with smoothness {smoothness:g} "
+            f"it may jump anywhere; omit it or raise smoothness to {order}"
+        )
     if point.dwell > 0.0:
         raise InputError(f"waypoint {number}: a dwell needs a point at rest")
 

@@ -42,12 +42,12 @@ def solve(
     if request.waypoints[0].settled:
         motion = plan_motion(request.problem)
         report = motion.refusal
-        braked = brakes and motion.status in STARTS
-        if report is None or not (braked and report[Refusal.INTERVAL] == 0.0):
+        if report is None or not brakes or motion.status not in STARTS or report[Refusal.INTERVAL]:
             return _finished(request, motion)
     problem = request.problem
-    none = Pieces.none(problem.states.shape[1], problem.options.smoothness)
-    motion, failed = plan_onward(problem, request.start, follow or none, brakes=brakes)
+    if follow is None:
+        follow = Pieces.none(problem.states.shape[1], problem.options.smoothness)
+    motion, failed = plan_onward(problem, request.start, follow, brakes=brakes)
     if failed >= 0:
         # from rest the target may be refused for itself
         states = problem.states.copy()

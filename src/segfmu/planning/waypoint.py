@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
-from math import isnan
+from operator import attrgetter
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +24,7 @@ from segfmu.errors import InputError
 DERIVATIVES = ("velocity", "acceleration", "jerk", "snap", "crackle", "pop")
 # how many of them may be free
 FREE = 2
+_rows: Callable[[object], tuple[FloatArray, ...]] = attrgetter("position", *DERIVATIVES)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,27 +90,30 @@ class Waypoint(Frozen):
         axes = values.size
         vectors = dict.fromkeys(DERIVATIVES, _zeros(axes))
         states = velocity, acceleration, jerk, snap, crackle, pop
-        settled = True
+        free, settled = False, True
         for i, (name, given) in enumerate(zip(DERIVATIVES, states, strict=True)):
             if given is None:
                 continue
-            chosen = i < FREE
-            vector = _state(name, given, axes) if chosen else finite_vector(name, given)
+            if i < FREE:
+                vector, is_free = _state(name, given, axes)
+                free = free or is_free
+            else:
+                vector = finite_vector(name, given)
+                settled = settled and not vector.any()
             if vector.size != axes:
                 raise InputError(
                     f"{name} needs one value per axis, as position has them: {axes}, got "
                     f"{vector.size}"
                 )
             vectors[name] = vector
-            settled = settled and (chosen or not vector.any())
         rest = finite_number("dwell", dwell)
         if rest < 0.0:
             raise InputError(f"dwell must be a time >= 0 s, got {shown(dwell)}")
         rows = np.array((values, vectors["velocity"], vectors["acceleration"]))
         rows.setflags(write=False)
         vars(self).update(
-            vectors, position=values, dwell=rest, axes=axes, planned=rows.T,
-            free=any(map(isnan, rows.ravel().tolist())), settled=settled,
+            vectors, position=values, dwell=rest, axes=axes, planned=rows.T, free=free,
+            settled=settled,
         )
 
     def state(self, order: int) -> FloatArray:
@@ -119,8 +124,8 @@ class Waypoint(Frozen):
         InputError
             For another order.
         """
-        names = ("position", *DERIVATIVES)[: as_index("order", order, len(DERIVATIVES)) + 1]
-        return np.array([getattr(self, name) for name in names]).T.copy()
+        count = as_index("order", order, len(DERIVATIVES)) + 1
+        return np.array(_rows(self)[:count]).T.copy()
 
 
 def waypoint_of(states: FloatArray) -> Waypoint:
@@ -147,8 +152,8 @@ def _zeros(axes: int) -> FloatArray:
     return zeros
 
 
-def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
-    """Finite numbers; NaN for a free state."""
+def _state(name: str, given: ArrayLike | str, axes: int) -> tuple[FloatArray, bool]:
+    """Finite numbers, NaN where the state is free, and whether one is."""
     if isinstance(given, np.ndarray) and given.dtype.hasobject:
         given = given.tolist()
     if isinstance(given, str):
@@ -156,9 +161,9 @@ def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
             raise InputError(f'{name} must be numbers or "free", got {shown(given)}')
         vector = np.full(axes, np.nan)
         vector.flags.writeable = False
-        return vector
+        return vector, True
     if not isinstance(given, SEQUENCES) or not any(v is None for v in given):
-        return finite_vector(name, given)
+        return finite_vector(name, given), False
     try:
         vector = finite_vector(name, [0.0 if v is None else v for v in given]).copy()
     except InputError:
@@ -167,4 +172,4 @@ def _state(name: str, given: ArrayLike | str, axes: int) -> FloatArray:
         ) from None
     vector[[v is None for v in given]] = np.nan
     vector.flags.writeable = False
-    return vector
+    return vector, True

@@ -2722,15 +2722,17 @@ for (axis = 0; axis < 3; axis += 1) {
 }
 }
 int64_t segfmu_first_contact(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d boxes, array_double_2d work, array_double_3d stack, array_double_2d ranges, bool lasting, array_double_1d report) {
+bool is_load_near, is_rope_near, lasts, begun, ended;
 double time, until;
-bool lasts, begun, ended;
 array_double_2d span;
 int64_t part;
 segfmu_shrink_boxes(touch_distance(ranges), boxes);
-if ((!is_any_near(1, boxes, ranges)) && (!is_any_near(2, boxes, ranges))) {
-return 0;
-}
+is_load_near = is_any_near(1, boxes, ranges);
+is_rope_near = is_any_near(2, boxes, ranges);
 for (part = 1; part < 2 + 1; part += 1) {
+if (((part == 1) && (!is_load_near)) || ((part == 2) && (!is_rope_near))) {
+continue;
+}
 *cspan_at(&report, 0) = 1e+300;
 time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
 until = interval_end(time, timing, offsets);
@@ -11840,11 +11842,12 @@ least = *cspan_at(&b, 0) - *cspan_at(&b, 1);
 }
 static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found) {
 double total, value;
-int64_t j, i, k;
+int64_t used, j, i, k;
 total = 0.0;
 value = 0.0;
-for (j = 0; j < width - order; j += 1) {
-i = width - 1 - j;
+used = radius > 0.0 ? width : order + 1;
+for (j = 0; j < used - order; j += 1) {
+i = used - 1 - j;
 value = *cspan_at(&piece, i);
 for (k = 0; k < order; k += 1) {
 value = value * (i - k);
@@ -13702,7 +13705,7 @@ duration = *cspan_at(&phases, i, 0);
 basis = *cspan_at(&phases, i, 1);
 a = *cspan_at(&phases, i, 2);
 b = a + *cspan_at(&phases, i, 3);
-if (a * b < 0.0) {
+if ((a * b < 0.0) && (within_0001 < 1e+300)) {
 near = fabs(a) > fabs(b) ? v + 0.5 * (a + b) * duration : v;
 bound = near + extreme_gain(a, b, duration, basis, axis);
 if (a < 0.0) {
@@ -17893,7 +17896,7 @@ return result;
 }
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis) {
 double v, a, w, b, duration, end, scale, cruise;
-int64_t first, i, side, count;
+int64_t first, sides, i, side, count;
 v = *cspan_at(&problem, 0);
 a = *cspan_at(&problem, 1);
 w = *cspan_at(&problem, 2);
@@ -17910,7 +17913,8 @@ return count;
 }
 }
 first = *cspan_at(&problem, 4) < 0.0 ? 1 : 0;
-for (i = 0; i < 2; i += 1) {
+sides = (v == 0.0) && (a == 0.0) && (w == 0.0) && (b == 0.0) ? 1 : 2;
+for (i = 0; i < sides; i += 1) {
 side = span_floor_mod((first + i), 2);
 cruise = side == 1 ? -*cspan_at(&axis, 9) : *cspan_at(&axis, 2);
 count = with_cruise(phases, cruise, problem, axis);

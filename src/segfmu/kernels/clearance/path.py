@@ -30,9 +30,11 @@ def first_contact(
     not known.
     """
     shrink_boxes(touch_distance(ranges), boxes)
-    if not is_any_near(Part.LOAD, boxes, ranges) and not is_any_near(Part.ROPE, boxes, ranges):
-        return Part.CLEAR
+    is_load_near = is_any_near(Part.LOAD, boxes, ranges)
+    is_rope_near = is_any_near(Part.ROPE, boxes, ranges)
     for part in range(Part.LOAD, Part.ROPE + 1):
+        if (part == Part.LOAD and not is_load_near) or (part == Part.ROPE and not is_rope_near):
+            continue
         report[Collision.BEGIN] = NEVER
         time = timing[offsets[0], Timing.START]
         until = interval_end(time, timing, offsets)

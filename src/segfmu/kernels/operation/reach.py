@@ -80,8 +80,10 @@ def write_derivative(
     """Write the range of a derivative of a polynomial about the middle of an interval."""
     total = 0.0
     value = 0.0
-    for j in range(width - order):
-        i = width - 1 - j
+    # the others are for the radius alone
+    used = width if radius > 0.0 else order + 1
+    for j in range(used - order):
+        i = used - 1 - j
         value = piece[i]
         for k in range(order):
             value = value * (i - k)

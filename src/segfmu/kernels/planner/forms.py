@@ -59,7 +59,9 @@ def fastest_between(phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]')
                 return count
     # both cannot be valid; that in the direction of the distance is more likely
     first = 1 if problem[Problem.DISTANCE] < 0.0 else 0
-    for i in range(2):
+    # from rest to rest the other one leads away from the target
+    sides = 1 if v == 0.0 and a == 0.0 and w == 0.0 and b == 0.0 else 2
+    for i in range(sides):
         side = (first + i) % 2
         cruise = -axis[Axis.LOWER] if side == 1 else axis[Axis.VELOCITY]
         count = with_cruise(phases, cruise, problem, axis)

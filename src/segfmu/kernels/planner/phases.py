@@ -1,6 +1,6 @@
 """Lists of phases: rows of the record `Phase`."""
 
-from segfmu.kernels.numerics.numbers import EQUAL, SAME
+from segfmu.kernels.numerics.numbers import EQUAL, NEVER, SAME
 from segfmu.kernels.planner.ramp import ramp_change, ramp_distance, ramp_duration
 from segfmu.kernels.planner.ramp_peak import extreme_gain, ramp_extreme_velocity
 from segfmu.kernels.planner.records import Axis, Phase, Problem
@@ -177,7 +177,7 @@ def measure_phases(
     """Duration, distance, end velocity, lowest and highest velocity of a list of phases.
 
     v is the velocity at the start. Peaks inside ramps are ignored if they are surely within
-    +-`within`.
+    +-`within`, as all are within NEVER.
     """
     total, y = 0.0, 0.0
     lowest = v
@@ -186,7 +186,7 @@ def measure_phases(
         duration, basis = phases[i, Phase.DURATION], phases[i, Phase.BASIS]
         a = phases[i, Phase.ACCELERATION]
         b = a + phases[i, Phase.CHANGE]
-        if a * b < 0.0:
+        if a * b < 0.0 and within < NEVER:
             # a quick bound first
             near = v + 0.5 * (a + b) * duration if abs(a) > abs(b) else v
             bound = near + extreme_gain(a, b, duration, basis, axis)
