@@ -1043,7 +1043,8 @@ static bool set_axes(array_double_2d limits, array_double_2d lower, array_double
 static bool plan_alone(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells);
 static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static double common_length(int64_t place, double most, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
@@ -23479,14 +23480,26 @@ longest = span_max(longest, shortest_of(place, axis, axes, cells));
 }
 return longest;
 }
-static double common_length(int64_t place, double most, array_double_2d axes, array_double_3d cells, array_double_2d work) {
+static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 int64_t first;
 array_double_2d planner;
 double found;
 first = place * axes.shape[0];
 planner = span_rows(&work, 2, 242);
-found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner);
+found = common_duration(0.0, 1e+300, 0.0, first, first + axes.shape[0], axes, cells, planner);
 return found < 0.0 ? 1e+300 : found;
+}
+static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
+array_double_2d planner, cell;
+int64_t axis;
+planner = span_rows(&work, 2, 242);
+for (axis = 0; axis < axes.shape[0]; axis += 1) {
+cell = span_matrix(&cells, place * axes.shape[0] + axis);
+if (!set_duration(duration, cell, span_row(&axes, axis), planner)) {
+return 0;
+}
+}
+return 1;
 }
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 double total;
@@ -23496,7 +23509,7 @@ total = 0.0;
 for (j = 0; j < spans.shape[0]; j += 1) {
 *cspan_at(&spans, j, 10) = least_length(j, axes, cells, work);
 if (*cspan_at(&spans, j, 10) < 1e+300) {
-*cspan_at(&spans, j, 10) = common_length(j, 1e+300, axes, cells, work);
+*cspan_at(&spans, j, 10) = common_length(j, axes, cells, work);
 }
 total = total + *cspan_at(&spans, j, 10);
 }
@@ -23562,7 +23575,7 @@ shorter = total < *cspan_at(&path, 14);
 if (shorter) {
 total = 0.0;
 for (j = 0; j < spans.shape[0]; j += 1) {
-*cspan_at(&spans, j, 10) = common_length(j, 1e+300, axes, cells, work);
+*cspan_at(&spans, j, 10) = common_length(j, axes, cells, work);
 total = total + *cspan_at(&spans, j, 10);
 }
 shorter = total < *cspan_at(&path, 14);
@@ -24650,11 +24663,12 @@ longest = span_max(longest, shortest_of(place, other, axes, cells));
 return longest;
 }
 static double tried_length(int64_t point, int64_t axis, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
-double least, others, shortest, most, found, result;
+double least, later, result;
 int64_t place;
 least = 0.0;
 for (place = point - 1; place < point + 1; place += 1) {
-least = least + longest_of(place, axis, axes, cells);
+*cspan_at(&spans, place, 11) = longest_of(place, axis, axes, cells);
+least = least + *cspan_at(&spans, place, 11);
 }
 for (place = point - 1; place < point + 1; place += 1) {
 if (!(least < *cspan_at(&path, 15))) {
@@ -24663,18 +24677,17 @@ return 1e+300;
 if (!plan_alone(place, axis, axes, cells, work)) {
 return 1e+300;
 }
-others = longest_of(place, axis, axes, cells);
-least = least + span_max(shortest_of(place, axis, axes, cells) - others, 0.0);
+later = span_max(shortest_of(place, axis, axes, cells) - *cspan_at(&spans, place, 11), 0.0);
+*cspan_at(&spans, place, 11) = *cspan_at(&spans, place, 11) + later;
+least = least + later;
 }
-for (place = point - 1; place < point + 1; place += 1) {
-shortest = span_max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells));
-most = *cspan_at(&path, 15) - (least - shortest);
-found = common_length(place, most, axes, cells, work);
-if (found >= 1e+300) {
+if (!(least < *cspan_at(&path, 15))) {
 return 1e+300;
 }
-*cspan_at(&spans, place, 11) = found;
-least = least + (found - shortest);
+for (place = point - 1; place < point + 1; place += 1) {
+if (!meet_at(*cspan_at(&spans, place, 11), place, axes, cells, work)) {
+return 1e+300;
+}
 }
 for (place = point - 1; place < point + 1; place += 1) {
 if (leaves_box(place, states, path, links, axes, cells, timing, coefficients, work)) {

@@ -10,7 +10,7 @@ from math import exp
 from segfmu.kernels.clearance.excursion import greatest_lack, write_room
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.passage.records import Link, Path, Stretch
-from segfmu.kernels.planner.intervals import common_duration, set_shortest
+from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
 from segfmu.kernels.planner.plan import set_problems
 from segfmu.kernels.planner.plan_axis import note_shortest
@@ -64,13 +64,25 @@ def least_length(
 
 
 def common_length(
-    place: int, most: float, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+    place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> float:
-    """The duration of an interval [s], whose shortest ones are known; NEVER: none below `most`."""
+    """The duration of an interval [s], whose shortest ones are known; NEVER: there is none."""
     first = place * axes.shape[0]
     planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
-    found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner)
+    found = common_duration(0.0, NEVER, 0.0, first, first + axes.shape[0], axes, cells, planner)
     return NEVER if found < 0.0 else found
+
+
+def meet_at(
+    duration: float, place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+) -> bool:
+    """Whether all axes can take a duration [s] in an interval; their profiles are written."""
+    planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
+    for axis in range(axes.shape[0]):
+        cell = cells[place * axes.shape[0] + axis, :, :]
+        if not set_duration(duration, cell, axes[axis, :], planner):
+            return False
+    return True
 
 
 def plan_lengths(
@@ -83,7 +95,7 @@ def plan_lengths(
     for j in range(spans.shape[0]):
         spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
         if spans[j, Stretch.LENGTH] < NEVER:
-            spans[j, Stretch.LENGTH] = common_length(j, NEVER, axes, cells, work)
+            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
         total = total + spans[j, Stretch.LENGTH]
     return min(total, NEVER)
 
@@ -146,7 +158,7 @@ def offer_states(
     if shorter:
         total = 0.0
         for j in range(spans.shape[0]):
-            spans[j, Stretch.LENGTH] = common_length(j, NEVER, axes, cells, work)
+            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
             total = total + spans[j, Stretch.LENGTH]
         shorter = total < path[Path.BEST]
     count, beyond = 0, False

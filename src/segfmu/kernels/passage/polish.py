@@ -7,8 +7,8 @@ the result.
 
 from segfmu.kernels.numerics.numbers import HALVINGS, NEVER, TIE
 from segfmu.kernels.passage.judge import (
-    common_length,
     leaves_box,
+    meet_at,
     plan_alone,
     plan_lengths,
     shortest_of,
@@ -72,27 +72,27 @@ def tried_length(
 ) -> float:
     """Duration of the two intervals beside a waypoint [s] after a state of an axis has changed.
 
-    NEVER if that is no less than KNOWN of the path, or leaves a box.
+    NEVER if that is no less than KNOWN of the path, leaves a box, or lies in a gap of an axis: to
+    search for its end takes longer than all else, and gains nothing.
     """
     # the other axes alone may already take as long
     least = 0.0
     for place in range(point - 1, point + 1):
-        least = least + longest_of(place, axis, axes, cells)
+        spans[place, Stretch.TRIED] = longest_of(place, axis, axes, cells)
+        least = least + spans[place, Stretch.TRIED]
     for place in range(point - 1, point + 1):
         if not least < path[Path.KNOWN]:
             return NEVER
         if not plan_alone(place, axis, axes, cells, work):
             return NEVER
-        others = longest_of(place, axis, axes, cells)
-        least = least + max(shortest_of(place, axis, axes, cells) - others, 0.0)
+        later = max(shortest_of(place, axis, axes, cells) - spans[place, Stretch.TRIED], 0.0)
+        spans[place, Stretch.TRIED] = spans[place, Stretch.TRIED] + later
+        least = least + later
+    if not least < path[Path.KNOWN]:
+        return NEVER
     for place in range(point - 1, point + 1):
-        shortest = max(longest_of(place, axis, axes, cells), shortest_of(place, axis, axes, cells))
-        most = path[Path.KNOWN] - (least - shortest)
-        found = common_length(place, most, axes, cells, work)
-        if found >= NEVER:
+        if not meet_at(spans[place, Stretch.TRIED], place, axes, cells, work):
             return NEVER
-        spans[place, Stretch.TRIED] = found
-        least = least + (found - shortest)
     for place in range(point - 1, point + 1):
         if leaves_box(place, states, path, links, axes, cells, timing, coefficients, work):
             return NEVER
