@@ -10,8 +10,8 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 * three ramps over two levels, slowed down alike (gentle.py): slower ramps are smoother;
 * the paper's form with the cruise velocity that makes it last T, if it exists as the form of a
   faster time, stretched;
-* where one of the states is at rest, the shortest profile and a wait there: both above have failed
-  mostly as the motion turns back, which slower ramps do farther from its path;
+* the shortest profile, and a wait, where a motion that begins or ends at rest has to turn back,
+  which slower ramps do farther from its path;
 * that form with full ramps: the first one for a motion that turns back, as it stays near its path;
 * the weighted mean of two profiles that last T, one short of the distance and one beyond it;
 * the shortest profile at a slower pace, if it passes zero jerk with snap;
@@ -21,6 +21,7 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
+from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.dipped import timed_dipped
 from segfmu.kernels.planner.enclose import (
     clear_nearest,
@@ -239,21 +240,30 @@ def timed_smoothly(
     return weight
 
 
+def has_to_turn(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
+    """Whether a motion that begins or ends at rest has to turn back, as it goes too far to stop."""
+    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
+    count, row, duration, stop = cruise_form(trial, 0.0, problem, axis)
+    return count >= 0 and stop * stop > stop * problem[Problem.DISTANCE]
+
+
 def timed_waiting(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
     """`timed_profile` where one state is at rest: the shortest profile, and a wait there.
 
-    -1: both states move, or that profile is not found again.
+    -1: both states move, the motion goes straight on, or that profile is not found again.
     """
     problem, phases = work[PlanWork.PROBLEM, :], cell[Cell.BELOW:Cell.ABOVE, :]
     first = problem[Problem.V] == 0.0 and problem[Problem.A] == 0.0
     last = problem[Problem.W] == 0.0 and problem[Problem.B] == 0.0
     if not first and not last:
         return -1.0
-    count = shortest_profile(problem, axis, phases, work)
-    rest = problem[Problem.DURATION] - total_duration(phases, max(count, 0))
-    if count <= 0 or rest < 0.0:
+    if not has_to_turn(problem, axis, work):
         return -1.0
-    count = insert_hold(phases, count, 0 if first else count, 0.0, rest)
+    count = shortest_profile(problem, axis, phases, work)
+    wait = problem[Problem.DURATION] - total_duration(phases, max(count, 0))
+    if count <= 0 or count >= phases.shape[0] or wait < 0.0:
+        return -1.0
+    count = insert_hold(phases, count, 0 if first else count, 0.0, wait)
     work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
     work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
     return 0.0
