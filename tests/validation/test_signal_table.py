@@ -40,6 +40,9 @@ from segfmu.validation.signal_table import read_table
     ("time,a\n0,1\n1,1\n1,2\n",
      "time does not increase: 1.0 s behind 1.0 s in row 3 of the numbers"),
     ("time,a\nnan,1\n1,2\n", "time does not increase: 1.0 s behind nan s"),
+    # also where not all are numbers, a row is judged before those behind it are read
+    ("time,a\n0,1\n2,1\n1,2\n3,x\n",
+     "time does not increase: 1.0 s behind 2.0 s in row 3 of the numbers"),
 ])
 def test_a_table_is_refused_in_one_line(tmp_path: Path, text: str, told: str) -> None:
     path = tmp_path / "log.csv"

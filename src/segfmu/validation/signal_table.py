@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import warnings
+from array import array
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TextIO
@@ -63,7 +64,7 @@ def read_table(
             data = _rows(file, delimiter)
     except (ValueError, csv.Error):
         # what else the file has may be no numbers
-        data = _cells(path, names, read)
+        data = _cells(path, names, read, names.index(time))
     if data.size == 0:
         raise InputError(f"{path}: there is no row of numbers")
     if (count := data.shape[1]) != len(names):
@@ -92,10 +93,14 @@ def require_increasing(times: FloatArray, where: str) -> None:
     rows = np.flatnonzero(~(np.diff(times) > 0.0))
     if rows.size:
         first, second = times[rows[0] : rows[0] + 2].tolist()
-        raise InputError(
-            f"{where}: time does not increase: {second!r} s behind {first!r} s in row "
-            f"{rows[0] + 2} of the numbers; leave out what is double, or begin another table"
-        )
+        raise _no_increase(first, second, int(rows[0]) + 2, where)
+
+
+def _no_increase(first: float, second: float, row: int, where: str) -> InputError:
+    return InputError(
+        f"{where}: time does not increase: {second!r} s behind {first!r} s in row {row} of the "
+        "numbers; leave out what is double, or begin another table"
+    )
 
 
 def column_names(path: Path) -> list[str]:
@@ -139,25 +144,37 @@ def _rows(file: TextIO, delimiter: str) -> FloatArray:
         return np.loadtxt(file, delimiter=delimiter, ndmin=2)
 
 
-def _cells(path: Path, names: Sequence[str], read: Sequence[int]) -> FloatArray:
-    """The numbers of some columns of a file that has other things as well."""
+def _cells(path: Path, names: Sequence[str], read: Sequence[int], time: int) -> FloatArray:
+    """The numbers of some columns of a file that has other things as well.
+
+    A time that does not increase ends it: the rest of a large file takes long.
+    """
     if path.stat().st_size > LARGEST:
         raise InputError(f"{path}: no table of numbers")
-    rows = list(read_rows(path))[1:]
-    data = np.full((len(rows), len(names)), np.nan)
-    for row, (number, cells) in zip(data, rows, strict=True):
+    rows = read_rows(path)
+    next(rows)
+    columns = {i: array("d") for i in read}
+    times = columns[time]
+    for number, cells in rows:
         where = f"{path}, line {number}"
         require_count(where, cells, names)
-        for i in read:
-            try:
-                row[i] = number_of(cells[i])
-            except ValueError:
-                hint = "; numbers have a decimal point" if "," in cells[i] else ""
-                hint = hint if cells[i] else "; leave out the rows that lack one"
-                raise InputError(
-                    f"{where}: {names[i]} must be a number, got {shown(cells[i])}{hint}"
-                ) from None
+        for i, column in columns.items():
+            column.append(_number(where, names[i], cells[i]))
+        if len(times) > 1 and not times[-1] > times[-2]:
+            raise _no_increase(times[-2], times[-1], len(times), str(path))
+    data = np.full((len(times), len(names)), np.nan)
+    for i, column in columns.items():
+        data[:, i] = column
     return data
+
+
+def _number(where: str, name: str, cell: str) -> float:
+    try:
+        return number_of(cell)
+    except ValueError:
+        hint = "; numbers have a decimal point" if "," in cell else ""
+        hint = hint if cell else "; leave out the rows that lack one"
+        raise InputError(f"{where}: {name} must be a number, got {shown(cell)}{hint}") from None
 
 
 def _require_names(path: Path, names: Sequence[str], time: str, used: Collection[str]) -> None:

@@ -64,6 +64,8 @@ WRONG = {
     "time,a\n-1,1\n": "line 2: time must be a time >= 0 s, got -1.0",
     "time,a\nnan,1\n": "line 2: time must be finite, got nan",
     "time,a\n1,1\n1,2\n": "line 3: time must increase, got 1 after 1",
+    # a row is judged before those behind it are read
+    "time,a\n1,1\n1,2\n2,inf\n": "line 3: time must increase, got 1 after 1",
     "# a\n\ntime,a\n0,1\n1,inf\n": "line 5: a must be finite, got inf",
     "time,a\n0,1e400\n": "line 2: a must be finite, got 1e400",
     "time,a\n0,\0\n": "r.csv: ",

@@ -105,19 +105,23 @@ def load_recording(path: Path) -> Recording:
         raise InputError(f"{path}: empty; the first line names the columns, such as time,wind.x")
     names = without_units(cells, signal_units(), str(path))
     _require_header(path, names)
-    columns: dict[str, list[Cell]] = {name: [] for name in names}
+    columns: dict[str, list[Cell]] = {name: [] for name in names if name != TIME}
+    times: list[float] = []
     lines = []
     for number, row in rows:
         lines.append(number)
         where = f"{path}, line {number}"
         require_count(where, row, names)
         for name, text in zip(names, row, strict=True):
-            columns[name].append(_cell(f"{where}: {name}", text))
+            cell = _cell(where, name, text)
+            if name == TIME:
+                times.append(_time(where, cell, times))
+            else:
+                columns[name].append(cell)
     if not lines:
         raise InputError(f"{path}: has no rows below its header")
-    times = _times(path, lines, columns.pop(TIME))
     found = {name: tuple(cells) for name, cells in columns.items()}
-    return Recording(path, times, found, tuple(lines))
+    return Recording(path, tuple(times), found, tuple(lines))
 
 
 def _require_header(path: Path, names: Sequence[str]) -> None:
@@ -131,30 +135,28 @@ def _require_header(path: Path, names: Sequence[str]) -> None:
         raise InputError(f"{path}: has no column beside {TIME}; each is a variable of an FMU")
 
 
-def _cell(where: str, text: str) -> Cell:
+def _cell(where: str, name: str, text: str) -> Cell:
     """A number, true, false, or a name."""
     if not text:
-        raise InputError(f"{where} is empty; repeat the value before")
+        raise InputError(f"{where}: {name} is empty; repeat the value before")
     if text.lower() in ("true", "false"):
         return text.lower() == "true"
     try:
         number = number_of(text)
     except ValueError:
         if "," in text:
-            raise InputError(f"{where}: got {text!r}; numbers have a decimal point") from None
+            raise InputError(
+                f"{where}: {name}: got {text!r}; numbers have a decimal point"
+            ) from None
         return text
     if not isfinite(number):
-        raise InputError(f"{where} must be finite, got {text}")
+        raise InputError(f"{where}: {name} must be finite, got {text}")
     return number
 
 
-def _times(path: Path, lines: Sequence[int], cells: Sequence[Cell]) -> tuple[float, ...]:
-    times: list[float] = []
-    for line, cell in zip(lines, cells, strict=True):
-        where = f"{path}, line {line}: {TIME}"
-        if isinstance(cell, bool | str) or cell < 0.0:
-            raise InputError(f"{where} must be a time >= 0 s, got {shown(cell)}")
-        if times and cell <= times[-1]:
-            raise InputError(f"{where} must increase, got {cell:g} after {times[-1]:g}")
-        times.append(cell)
-    return tuple(times)
+def _time(where: str, cell: Cell, before: Sequence[float]) -> float:
+    if isinstance(cell, bool | str) or cell < 0.0:
+        raise InputError(f"{where}: {TIME} must be a time >= 0 s, got {shown(cell)}")
+    if before and cell <= before[-1]:
+        raise InputError(f"{where}: {TIME} must increase, got {cell:g} after {before[-1]:g}")
+    return cell
