@@ -6,9 +6,11 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 from segfmu import Crane, FlatInverse, Limits, Trajectory, Waypoint, plan
-from segfmu.planning.sketch import HEIGHT, LEFT, POINTS, WIDTH
+from segfmu.arrays import FloatArray
+from segfmu.planning.sketch import HEIGHT, LEFT, POINTS, WIDTH, sketch
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -41,6 +43,26 @@ def test_the_picture_shows_the_curves(trajectory: Trajectory) -> None:
     expected = (position[:, 0].max() - position[:, 0]) / np.ptp(position) * HEIGHT
     assert np.allclose(x[:, 1] - x[:, 1].min(), expected, atol=0.11)
     assert "<z>" in "".join(picture.itertext())
+
+
+def test_the_picture_is_read_on_a_dark_page() -> None:
+    """Texts were black, without a ground of their own."""
+    still = plan([Waypoint([0.0]), Waypoint([1.0])], Limits(1, 1, 1))
+    first = next(iter(ET.fromstring(still._repr_svg_())))
+    assert (first.tag, first.attrib["fill"]) == (f"{SVG}rect", "#ffffff")
+
+
+def test_rounding_is_no_number_of_the_picture() -> None:
+    """-7.32e-17 m/s was told as the least velocity."""
+    moved = plan([Waypoint([0.0]), Waypoint([1.0])], Limits(1, 1, 1))
+
+    class Noisy:
+        axis_names, duration, waypoint_times = ("x",), moved.duration, moved.waypoint_times
+
+        def __call__(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
+            return moved(t, derivative) - 7.32e-17
+
+    assert "e-17" not in sketch(Noisy(), "")
 
 
 def test_a_trajectory_that_stays_has_a_picture() -> None:

@@ -49,3 +49,9 @@ def test_a_row_has_the_acceleration_of_both_sides(window: list[float], use: floa
 def test_rounding_beyond_a_bound_is_none() -> None:
     assert margin([1.0 + 1e-13, 0.0, 0.0, 0.0]) == 0.0
     assert margin([1.0 + 1e-11, 0.0, 0.0, 0.0]) < 0.0
+
+
+def test_a_bound_that_is_met_has_no_sign() -> None:
+    """It was told as a margin of -0, passed."""
+    for sense in ("at least", "at most"):
+        assert f"{margin([1.0] * 4, sense=sense):+.4g}" == "+0"

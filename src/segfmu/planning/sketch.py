@@ -10,11 +10,14 @@ from numpy.typing import ArrayLike
 
 from segfmu.arrays import FloatArray
 
-COLOURS = ("#1f6fb2", "#d9662b", "#3a9b5c", "#8a5aa8")
+# dark enough for text on white, on which all is drawn: notebooks may be dark
+COLOURS, SOFT = ("#0072b2", "#b84a00", "#00734f", "#8a5aa8"), "#595959"
 PANELS = (("position", "m"), ("velocity", "m/s"), ("acceleration", "m/s²"))
 POINTS = 240
 # pixels
 WIDTH, HEIGHT, LEFT, GAP = 560, 88, 96, 14
+# share of the largest value below which another one is none
+ROUNDING = 1e-12
 
 
 class Motion(Protocol):
@@ -48,6 +51,7 @@ def sketch(motion: Motion, title: str) -> str:
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{LEFT + WIDTH + 10}" '
         f'height="{bottom + 4}" font-family="sans-serif" font-size="12" role="img" '
         f'aria-label="{escape(title)}">'
+        '<rect width="100%" height="100%" fill="#ffffff"/>'
         f'<text x="0" y="13">{escape(title)}   {names}</text>{"".join(rows)}'
         f'<text x="{LEFT}" y="{bottom}">0 s</text>'
         f'<text x="{LEFT + WIDTH}" y="{bottom}" text-anchor="end">{motion.duration:.4g} s</text>'
@@ -59,6 +63,8 @@ def _panel(
     top: float, name: str, unit: str, times: FloatArray, values: FloatArray, motion: Motion
 ) -> str:
     least, most = float(values.min()), float(values.max())
+    noise = ROUNDING * max(abs(least), abs(most))
+    least, most = (0.0 if abs(value) <= noise else value for value in (least, most))
     span = most - least if most > least else 1.0
     across = LEFT + WIDTH * times / max(motion.duration, 1e-300)
     marks = "".join(
@@ -74,10 +80,10 @@ def _panel(
         for i, column in enumerate(values.T)
     )
     scale = "".join(
-        f'<text x="{LEFT - 6}" y="{y}" text-anchor="end" fill="#777777">{value:.3g}</text>'
+        f'<text x="{LEFT - 6}" y="{y}" text-anchor="end" fill="{SOFT}">{value:.3g}</text>'
         for y, value in ((top + 10, most), (top + HEIGHT, least))
     )
     return (
         f'{marks}{curves}{scale}<text x="0" y="{top + 0.5 * HEIGHT:.0f}">{name}</text>'
-        f'<text x="0" y="{top + 0.5 * HEIGHT + 15:.0f}" fill="#777777">{unit}</text>'
+        f'<text x="0" y="{top + 0.5 * HEIGHT + 15:.0f}" fill="{SOFT}">{unit}</text>'
     )

@@ -12,6 +12,7 @@ from segfmu.crane.bounds import ActuatorBounds, BoundUse
 from segfmu.errors import InputError
 from segfmu.validation.drive_use import RUN_MARGIN, run_uses
 from segfmu.validation.files.crane_models import MODELS
+from segfmu.validation.units import with_unit
 
 DRIVES = ("bridge", "trolley", "hoist")
 RATES = {"bridge": "bridge.velocity", "trolley": "trolley.velocity", "hoist": "rope.velocity"}
@@ -99,7 +100,7 @@ class Criteria:
             *(
                 Row(
                     f"use of the bound of {use.name}", 100.0 * use.use,
-                    100.0 * (1.0 + RUN_MARGIN), "%", f"{use.bound:.4g} {use.unit}",
+                    100.0 * (1.0 + RUN_MARGIN), "%", with_unit(f"{use.bound:.4g}", use.unit),
                 )
                 for use in self.uses if isfinite(use.bound)
             ),

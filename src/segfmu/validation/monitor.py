@@ -174,8 +174,8 @@ def _unit(criterion: CriterionTable, units: Mapping[str, str]) -> str:
 
 
 def _rounded(margin: float, bound: float) -> float:
-    """The margin; 0 where it is negative by rounding alone."""
-    return 0.0 if -ROUNDING * max(1.0, abs(bound)) <= margin < 0.0 else margin
+    """The margin; 0, without a sign, where it is negative by rounding alone."""
+    return 0.0 if -ROUNDING * max(1.0, abs(bound)) <= margin <= 0.0 else margin
 
 
 def title(criterion: CriterionTable) -> str:

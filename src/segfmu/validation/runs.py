@@ -113,7 +113,7 @@ class Run:
     def __repr__(self) -> str:
         measures = ", ".join(f"{row.name} {row.measured}" for row in self.criteria.rows[:2])
         verdict = "passed" if self.passed else "failed"
-        return f"<Run of {self.mission.name!r}: {self.time[-1]:.6g} s, {measures}, {verdict}>"
+        return f"<Run of {self.mission.name!r}: {self.time[-1]:.3f} s, {measures}, {verdict}>"
 
     def _repr_html_(self) -> str:
         rows = "".join(

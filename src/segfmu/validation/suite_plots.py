@@ -34,6 +34,8 @@ def plot_margins(results: Sequence[Result]) -> Figure:
     panel.axvline(0.0, color="#444444", linewidth=1.0)
     panel.set_yticks(range(len(entries)), [name for name, _ in reversed(entries)], fontsize=8)
     panel.set_xlim(-1.05 * MOST, 1.05 * MOST)
-    panel.set_xlabel("margin [% of the bound]; crosses: does not hold")
+    beyond = any(abs(share) > MOST for _, share in entries)
+    edge = f"; beyond {MOST:.0f} % at the edge" if beyond else ""
+    panel.set_xlabel(f"margin [% of the bound]; cross: does not hold{edge}")
     panel.grid(True, axis="x", color="#eeeeee")
     return figure

@@ -10,7 +10,7 @@ from segfmu.planning import Trajectory
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.verify import Verification
 from segfmu.validation.criteria import DRIVES, Criteria
-from segfmu.validation.units import shown
+from segfmu.validation.units import labelled, shown
 
 
 def plan_table(
@@ -33,7 +33,7 @@ def plan_table(
                 f"{peak:.4g} of {limit:.4g}" if np.isfinite(limit) else f"{peak:.4g}, free"
                 for peak, limit in zip(found.peaks[order], found.limits[order], strict=True)
             ]
-            table.add_row(f"{quantity} [{unit}]".replace("[", "\\["), *cells)
+            table.add_row(escape(labelled(quantity, unit)), *cells)
     return table
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from math import degrees
@@ -19,6 +20,14 @@ LARGE = 2000.0
 # of places; a way below this share of them is none
 ROUNDING = 1e-12
 LARGER = {"N": "kN", "W": "kW", "kg": "t"}
+# behind the letters of a unit
+POWER = re.compile(r"(?<=[A-Za-z])[2-6]")
+RAISED = str.maketrans("23456", "²³⁴⁵⁶")
+
+
+def powers(unit: str) -> str:
+    """A unit with its powers as they are drawn and printed; headers of tables have m/s2."""
+    return POWER.sub(lambda found: found[0].translate(RAISED), unit)
 
 
 def scale(largest: float, unit: str) -> tuple[float, str]:
@@ -27,7 +36,7 @@ def scale(largest: float, unit: str) -> tuple[float, str]:
         return degrees(1.0), "deg"
     if unit in LARGER and largest >= LARGE:
         return 1e-3, LARGER[unit]
-    return 1.0, unit
+    return 1.0, powers(unit)
 
 
 def shown(values: Sequence[float], unit: str) -> tuple[tuple[float, ...], str]:
@@ -72,12 +81,12 @@ def run_units(fmus: Mapping[str, Path]) -> dict[str, str]:
 
 def with_unit(number: str, unit: str) -> str:
     """A number and its unit, which may be empty."""
-    return f"{number} {unit}".rstrip()
+    return f"{number} {powers(unit)}".rstrip()
 
 
 def labelled(name: str, unit: str) -> str:
     """A name with its unit in brackets, which may be empty."""
-    return f"{name} [{unit}]" if unit else name
+    return f"{name} [{powers(unit)}]" if unit else name
 
 
 def unlike(names: Iterable[str], units: Mapping[str, str]) -> str:

@@ -65,7 +65,7 @@ def test_margins_are_told_with_their_units(tmp_path: Path) -> None:
     assert all(chart.caption.endswith(units[chart.title]) for chart in page.sections[0].charts)
     shown = StringIO()
     Console(file=shown, width=200).print(criteria_table(found))
-    assert all(f"+{text} " in shown.getvalue() for text in told.values())
+    assert all(f"+{text}│" in shown.getvalue() for text in told.values())
     panels = found.plot().axes
     assert panels[0].get_xlabel() == "margin of follows [m]"
     entries = json.loads(write_summary(found).read_text())["criteria"]

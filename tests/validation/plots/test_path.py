@@ -49,6 +49,16 @@ def test_waypoints_at_one_place_of_a_view_share_a_label() -> None:
     assert above[1][1] == pytest.approx([0.0, 1.0])
 
 
+def test_numbers_are_beside_the_path() -> None:
+    """That of a waypoint on a slope lay on the curve."""
+    points = [Waypoint([0.0, 0.0, -2.0]), Waypoint([1.0, 1.2, -1.5]), Waypoint([2.0, 2.4, -2.0])]
+    figure = plot_path(plan(points, Limits(1.0, 1.0, 5.0, 50.0)), "move", Clearance([]))
+    for panel in figure.axes:
+        curve = panel.transData.transform(panel.lines[0].get_xydata())
+        assert len(panel.texts) == 3
+        assert not any(t.get_window_extent().count_contains(curve) for t in panel.texts)
+
+
 @pytest.mark.parametrize("moved", [0.0, 1e-13])
 def test_a_load_that_rests_is_seen_in_a_view_of_a_metre(moved: float) -> None:
     points = [Waypoint([100.0, 0.0, -2.0]), Waypoint([100.0 + moved, 0.0, -2.0])]

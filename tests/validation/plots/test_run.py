@@ -62,13 +62,40 @@ def test_bounds_of_both_directions_are_drawn() -> None:
     assert dashed(figure.axes[2]) == pytest.approx(sorted([-5.0, 3.0, -weight, 15.0 - weight]))
 
 
-@pytest.mark.parametrize("error", [0.0, 1e-13])
+def test_bounds_in_one_place_are_all_seen() -> None:
+    """The last one hid the others."""
+    bounds = ActuatorBounds(velocity=0.3)
+    panel = plot_run(table(1e-3), np.array([0.0]), "run", CRANES["lab"], bounds).axes[0]
+    dashed = [line for line in panel.lines if line.get_linestyle() == "--"]
+    upper = [line for line in dashed if line.get_ydata()[0] > 0.0]
+    # offsets and lengths of dashes and gaps, as they are drawn
+    patterns = [line._dash_pattern for line in upper]
+    ons = [np.arange(offset, offset + dash) for offset, (dash, _) in patterns]
+    period = patterns[0][1][0] + patterns[0][1][1]
+    assert len(upper) == 3
+    assert len({round(float(v) % period, 6) for on in ons for v in on}) == sum(map(len, ons))
+    assert panel.figure.axes[-1].get_xlabel().endswith("; dashed: bounds of the drives")
+
+
+@pytest.mark.parametrize("error", [0.0, 1e-13, 9e-10])
 def test_noise_is_no_landscape(error: float) -> None:
-    errors = plot_run(
-        table(error), np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()
-    ).axes[-1]
+    figure = plot_run(table(error), np.array([0.0]), "run", CRANES["quay"], ActuatorBounds())
+    errors = figure.axes[-1]
     assert errors.get_ylim() == pytest.approx((-1e-6, 1e-6))
-    assert errors.texts[0].get_text() == "below 1e-06 mm"
+    told = errors.get_legend()
+    assert told.get_title().get_text() == "below 1e-6 mm" and not errors.texts
+    # beside the curves, not over them
+    figure.draw_without_rendering()
+    assert told.get_window_extent().x0 >= errors.get_window_extent().x1
+
+
+def test_the_distance_is_what_is_called_noise() -> None:
+    """Three errors below the bound of noise were called so beside a distance above it."""
+    rows = table(9e-10)
+    rows["error.load.y"] = rows["error.load.z"] = rows["error.load.x"]
+    errors = plot_run(rows, np.array([0.0]), "run", CRANES["lab"], ActuatorBounds()).axes[-1]
+    assert errors.get_legend().get_title().get_text() == ""
+    assert errors.get_ylabel() == "load error\n[µm]"
 
 
 @pytest.mark.parametrize(("error", "unit"), [(2e-3, "mm"), (2.0, "mm"), (2e-8, "µm")])

@@ -357,3 +357,20 @@ def test_charts_of_a_campaign_have_names_and_numbers_that_can_be_read(
             for other in boxes[:i]:
                 assert left >= other[1] or right <= other[0] or top >= other[3] - 1.0 \
                     or bottom <= other[2] + 1.0
+
+
+def test_every_number_along_an_axis_has_its_exponent(browser: Browser, tmp_path: Path) -> None:
+    """Only the last one had it: 3.5, 4, 4.5, 5e-4."""
+    result = campaign()
+    name = "margin.near its plan"
+    place = result.table.column_names.index(name)
+    small = [None if m is None else 4e-4 + 1e-2 * m for m in result.column(name)]
+    table = result.table.set_column(place, name, pyarrow.array(small, pyarrow.float64()))
+    page, _ = opened(browser, replace(result, table=table).report(tmp_path / "report.html"))
+    shown = page.evaluate("""[...document.querySelector('.chart').querySelectorAll('.xtick text')]
+        .map(text => text.textContent)""")
+    assert len(shown) > 2 and all("e" in text for text in shown if float_of(text) != 0.0), shown
+
+
+def float_of(text: str) -> float:
+    return float(text.replace("\u2212", "-"))

@@ -5,21 +5,25 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import replace
+from io import StringIO
 from pathlib import Path
 
 import numpy as np
 import pyarrow
 import pytest
+from rich.console import Console
 
 import segfmu
 from segfmu.crane.bounds import DRIVES
 from segfmu.validation.campaigns.result import CampaignResult
+from segfmu.validation.campaigns.tables import criteria_table
 from segfmu.validation.drive_use import PLACES
 from segfmu.validation.plots.plan import plot_plan
 from segfmu.validation.report import campaign_page, run_page, suite_page
 from segfmu.validation.report.curves import TOLERANCE, thinned
 from segfmu.validation.report.motion import drive_section, load_section, owned
 from segfmu.validation.report.page import render
+from segfmu.validation.report.suite_page import percent
 from segfmu.validation.tables import plan_table
 from segfmu.validation.units import length, pretty
 from tests.compiler import needs_native
@@ -191,7 +195,9 @@ def test_a_suite_has_every_criterion_and_error(tmp_path: Path) -> None:
         assert f"segfmu validate {result.scenario.path}" in text
         assert all(finding.name in text for finding in result.findings)
     bounds = [row[3] for row in suite_page(suite).sections[0].tables[0].rows]
-    assert [bound.split()[1:] for bound in bounds] == [["m"], []]
+    # a number and its unit are on one line
+    assert {style for _, style in bounds} == {"number"}
+    assert [bound.split()[1:] for bound, _ in bounds] == [["m"], []]
     assert "end stop" in text and "as expected" in text
 
 
@@ -234,6 +240,35 @@ def test_a_campaign_names_causes_worst_case_and_errors(tmp_path: Path) -> None:
     # the effect is that of the draw: the margin falls by 0.01 for 1 of the gust
     slope = np.polyfit(points.curves[0].x, points.curves[0].y, 1)[0]
     assert points.across == "gust" and slope == pytest.approx(-0.01, rel=0.05)
+    # the unit alone is in brackets, and there are none without
+    assert points.unit == "" and "<b>near its plan</b> <span" in text
+
+
+@pytest.mark.parametrize(("share", "told"), [
+    (1e-4, "0.0 %"), (0.268, "+26.8 %"), (-9.9, "-990.0 %"), (-65.478, "-6,548 %"),
+])
+def test_shares_have_no_digits_that_tell_nothing(share: float, told: str) -> None:
+    assert percent(share) == told
+
+
+def test_the_table_of_a_campaign_is_whole_on_a_narrow_terminal() -> None:
+    """Its last column was cut."""
+    margins = [0.00771] * 999 + [-0.003468]
+    table = pyarrow.table({
+        "run": range(1000), "scenario": ["quay.toml"] * 1000, "gust": np.linspace(2.0, 0.0, 1000),
+        "passed": [True] * 999 + [False], "error": pyarrow.array([None] * 1000, pyarrow.string()),
+        "margin.no sway behind the arrival": np.linspace(1.0, 2.0, 1000) * margins,
+        "holds.no sway behind the arrival": [True] * 999 + [False],
+    })
+    result = CampaignResult(
+        "gusts", Path(), ("gust",), ("no sway behind the arrival",), table,
+        units={"no sway behind the arrival": "rad"},
+    )
+    shown = StringIO()
+    Console(file=shown, width=80).print(criteria_table(result))
+    lines = shown.getvalue().splitlines()[1:]
+    assert {len(line) for line in lines} == {len(lines[0])} and len(lines[0]) <= 80
+    assert lines[0][-1] == "┓" and all(word in shown.getvalue() for word in ("depends", "gust"))
 
 
 def test_numbers_with_exponents_stay_on_one_line(tmp_path: Path) -> None:

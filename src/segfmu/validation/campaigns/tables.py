@@ -25,7 +25,8 @@ def criteria_table(result: CampaignResult) -> Table:
     Of a search the worst case itself: how often its runs fail says nothing of other runs; one for
     rare failures tells their probability.
     """
-    table = Table(title=escape(result.name))
+    # no space beside the lines: with it, 80 characters have no room for the last column
+    table = Table(title=escape(result.name), padding=0)
     rates = (FAILS,) if result.rare else () if result.searched else ("share", FAILS)
     counts = ("held", *rates)
     last = "worst case" if result.searched else "depends on"

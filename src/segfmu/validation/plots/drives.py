@@ -26,6 +26,10 @@ PANELS = (
 )
 # where the axis of force ends, over what is above: a rope without tension may be far below
 FARTHEST = 1.5
+BOUNDS = "dashed: bounds of the drives"
+# of these lines [line widths]; where those of several drives lie in one place, the dashes
+# of each are in the gaps of the others
+DASH, GAP = 6.0, 12.0
 
 
 def plot_drives(
@@ -37,7 +41,7 @@ def plot_drives(
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     needs = demands(crane, trajectory, times, friction, bounds.lag)
     draw_demands(panels, times, needs, bounds, crane)
-    return finish(figure, panels, trajectory.waypoint_times, title)
+    return finish(figure, panels, trajectory.waypoint_times, title, BOUNDS)
 
 
 def draw_demands(
@@ -65,7 +69,10 @@ def draw_demands(
         for i, label in enumerate(labels):
             panel.plot(times, factor * shown[:, i], color=COLOURS[i], label=label)
             for bound in filter(np.isfinite, (upper[i], lower[i])):
-                panel.axhline(factor * bound, color=COLOURS[i], linestyle="--", linewidth=1.0)
+                panel.axhline(
+                    factor * bound, color=COLOURS[i], linestyle=(i * DASH, (DASH, GAP)),
+                    linewidth=1.0,
+                )
         if quantity == "force" and np.isfinite(upper[2]):
             near = max(upper[2], float(np.abs(shown).max()))
             panel.set_ylim(bottom=max(panel.get_ylim()[0], -FARTHEST * factor * near))

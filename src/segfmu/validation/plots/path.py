@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,8 @@ STRAIGHT = 0.02
 # a motion below this share of the places is none, and drawn as one of this size [m]
 NOISE = 1e-9
 STANDING = 5.0
-# where a label can be from its waypoint [points], the first one that is free
+# where a label can be from its waypoint [points], the first one that is free, of the path as well
+# if there is one
 PLACES = tuple((across, up) for up in (6, -6) for across in (5, -5))
 
 
@@ -43,7 +45,7 @@ def plot_path(trajectory: Trajectory, title: str, clearance: Clearance) -> Figur
     figure.draw_without_rendering()
     size = _size(points)
     for panel, view in ((above, top), (side, section)):
-        _name(panel, labels(stops @ view.T, size), figure.bbox)
+        _name(panel, labels(stops @ view.T, size), points @ view.T, figure.bbox)
     return figure
 
 
@@ -95,11 +97,14 @@ def _view(
     grid(panel)
 
 
-def _name(panel: Axes, names: list[tuple[str, FloatArray]], room: BboxBase) -> None:
+def _name(
+    panel: Axes, names: list[tuple[str, FloatArray]], path: FloatArray, room: BboxBase
+) -> None:
     """Write the numbers of waypoints where there is room, those of the ends first."""
     taken: list[Bbox] = []
+    curve = panel.transData.transform(path)
     for text, (x, y) in [names[0], *names[:0:-1][:1], *names[1:-1]]:
-        for across, up in PLACES:
+        for over, (across, up) in product((False, True), PLACES):
             style: dict[str, Any] = {
                 "ha": "left" if across > 0 else "right", "va": "bottom" if up > 0 else "top",
                 "usetex": False,
@@ -111,7 +116,8 @@ def _name(panel: Axes, names: list[tuple[str, FloatArray]], room: BboxBase) -> N
             number.set_in_layout(False)
             own = number.get_window_extent()
             inside = own.x0 >= room.x0 and own.x1 <= room.x1
-            if inside and not own.count_overlaps(taken):
+            clear = over or not own.count_contains(curve)
+            if inside and clear and not own.count_overlaps(taken):
                 taken.append(own)
                 break
             number.remove()

@@ -15,7 +15,7 @@ from segfmu.crane.bounds import DRIVES
 from segfmu.crane.kinds import AnyCrane
 from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import SWAYS, run_demands
-from segfmu.validation.plots.drives import PANELS, draw_demands
+from segfmu.validation.plots.drives import BOUNDS, PANELS, draw_demands
 from segfmu.validation.plots.style import COLOURS, finish, legend, stack
 
 # [m] errors below this are numerical noise, which is not enlarged to a landscape
@@ -49,19 +49,18 @@ def plot_run(
         panel.plot([], [], label=what, **DOTTED)
         legend(panel)
     _errors(panels[-1], rows)
-    return finish(figure, panels, waypoint_times, title)
+    return finish(figure, panels, waypoint_times, title, BOUNDS)
 
 
 def _errors(panel: Axes, rows: NDArray[np.void]) -> None:
     errors = {axis: rows[f"error.load.{axis}"] for axis in "xyz"}
-    largest = max(float(np.abs(error).max()) for error in errors.values())
+    # the distance, as the measures of a run have it
+    largest = float(np.sqrt(sum(error * error for error in errors.values())).max())
     factor, unit = (1e6, "µm") if NOISE <= largest < SMALL else (1e3, "mm")
     for colour, (axis, error) in zip(COLOURS, errors.items(), strict=True):
         panel.plot(rows["time"], factor * error, color=colour, label=axis)
     panel.set_ylabel(f"load error\n[{unit}]")
-    legend(panel)
-    if largest < NOISE:
+    noise = largest < NOISE
+    legend(panel, "below 1e-6 mm" if noise else "")
+    if noise:
         panel.set_ylim(-1e3 * NOISE, 1e3 * NOISE)
-        panel.text(
-            0.5, 0.75, f"below {1e3 * NOISE:.0e} mm", transform=panel.transAxes, ha="center"
-        )

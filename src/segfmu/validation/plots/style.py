@@ -80,16 +80,22 @@ def label(text: str, width: int = 80) -> str:
     return "\n".join(wrap(encodable(text), width)).replace("$", r"\$")
 
 
-def legend(panel: Axes) -> None:
+def legend(panel: Axes, title: str = "") -> None:
     """The legend beside the curves."""
-    panel.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+    panel.legend(
+        loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False, title=title,
+        alignment="left",
+    )
 
 
-def finish(figure: Figure, panels: Sequence[Axes], times: Any, title: str) -> Figure:
-    """Arrivals at waypoints, grid and title of a stack."""
+def finish(
+    figure: Figure, panels: Sequence[Axes], times: Any, title: str, lines: str = ""
+) -> Figure:
+    """Arrivals at waypoints, grid and title of a stack; lines: what others than curves are."""
     for panel in panels:
         marks(panel, times)
-    panels[-1].set_xlabel("time [s]; grey: arrival at a waypoint")
+    told = ("time [s]", "grey: arrival at a waypoint", lines)
+    panels[-1].set_xlabel("; ".join(filter(None, told)))
     figure.suptitle(label(title))
     return figure
 
@@ -107,7 +113,8 @@ def apart(panel: Axes) -> None:
 
 
 def grid(panel: Axes) -> None:
-    """A grid behind the curves, without a frame."""
-    panel.grid(True, color="#eeeeee", zorder=0)
+    """A grid behind curves and areas, without a frame."""
+    panel.grid(True, color="#eeeeee")
+    panel.set_axisbelow(True)
     for side in ("top", "right"):
         panel.spines[side].set_visible(False)

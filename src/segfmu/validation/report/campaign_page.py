@@ -11,11 +11,10 @@ from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.summary import Summary
 from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
 from segfmu.validation.report.curves import digits
-from segfmu.validation.report.motion import powers
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
 from segfmu.validation.report.requirements import requirement_sections
 from segfmu.validation.report.suite_page import runs
-from segfmu.validation.units import labelled, pretty, with_unit
+from segfmu.validation.units import labelled, powers, pretty, with_unit
 
 if TYPE_CHECKING:
     from segfmu.validation.suites import Suite
@@ -65,7 +64,7 @@ def _overview(result: CampaignResult) -> Table:
             rates = (fails,) if result.rare else ()
         rows.append((
             row.criterion, f"{row.held} of {row.judged}", *rates,
-            powers(row.least),
+            row.least,
             "" if row.run is None else str(row.run), _causes(result, row),
         ))
     last = "worst case" if result.searched else "depends most on"
@@ -101,10 +100,10 @@ def _distributions(result: CampaignResult) -> Section:
         span = float(np.ptp(edges))
         curve = Curve(row.criterion, "run", digits(edges, span), [*map(int, counts), 0])
         low, middle, high = (pretty(float(q)) for q in np.quantile(margins, (0.05, 0.5, 0.95)))
-        spread, unit = f"median {middle}, nine of ten from {low} to {high}", powers(row.unit)
+        spread = f"median {middle}, nine of ten from {low} to {high}"
         charts.append(Chart(
-            row.criterion, "runs", with_unit(spread, unit), [curve],
-            (0.0, None) if edges[0] < 0.0 else (None, None), "steps", labelled("margin", unit),
+            row.criterion, "runs", with_unit(spread, row.unit), [curve],
+            (0.0, None) if edges[0] < 0.0 else (None, None), "steps", labelled("margin", row.unit),
         ))
     text = "How many runs have which margin. Grey: the criterion does not hold."
     return Section("Distribution of the margins", text, charts=charts)
@@ -144,7 +143,7 @@ def _points(result: CampaignResult, row: Summary, factor: str, effect: float) ->
     x, y = values[kept], margins[kept]
     curve = Curve("run", "run", digits(x, float(np.ptp(x))), digits(y, float(np.ptp(y))))
     return Chart(
-        row.criterion, labelled("margin", powers(row.unit)), f"effect {effect:+.2f}", [curve],
+        row.criterion, powers(row.unit), f"margin, effect {effect:+.2f}", [curve],
         (0.0, None) if y.min() < 0.0 else (None, None), "points", factor,
     )
 
@@ -154,7 +153,7 @@ def _worst(result: CampaignResult) -> list[Section]:
     for row in result.summaries:
         if row.run is not None:
             rows.append((
-                row.criterion, str(row.run), powers(row.least),
+                row.criterion, str(row.run), row.least,
                 case(result.values(row.run)),
             ))
     if not rows:

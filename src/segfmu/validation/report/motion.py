@@ -14,12 +14,13 @@ from segfmu.fmu.pairs import PAIRS
 from segfmu.kernels.crane.records import Demand
 from segfmu.planning import Trajectory
 from segfmu.planning.limits import NAMES
+from segfmu.planning.limits import UNITS as LIMIT_UNITS
 from segfmu.validation.criteria import angles
 from segfmu.validation.drive_use import run_demands
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.report.curves import digits, thinned
 from segfmu.validation.report.page import NEAR, Chart, Curve, Section
-from segfmu.validation.units import length, pretty, scale, ways_from_start
+from segfmu.validation.units import length, powers, pretty, scale, ways_from_start
 
 SAMPLES = 2000
 # [m], [rad]: below these numbers are noise of the computation
@@ -84,7 +85,7 @@ def _derivative(
     trajectory: Trajectory, times: FloatArray, order: int, name: str, limits: FloatArray
 ) -> Chart:
     """In percent where all axes are limited; limits (2, axes) of both directions."""
-    unit = f"m/s{order if order > 1 else ''}".translate(str.maketrans("234", "²³⁴"))
+    unit = powers(LIMIT_UNITS[order - 1])
     low, high = trajectory.extrema(order)
     peaks = np.array([high, -low])
     limited = bool((limits > 0.0).all())
@@ -156,9 +157,9 @@ def _drive(
     peak, bound = float(peaks[side]), float(bounds[side])
     largest = float(bounds[np.isfinite(bounds)].max()) if known else 0.0
     factor, unit = scale(max(float(peaks.max()), largest), UNITS[quantity])
-    words = f"peak {pretty(factor * peak)} {powers(unit)}"
+    words = f"peak {pretty(factor * peak)} {unit}"
     if known:
-        words += f", {pretty(100.0 * peak / bound)} % of {pretty(factor * bound)} {powers(unit)}"
+        words += f", {pretty(100.0 * peak / bound)} % of {pretty(factor * bound)} {unit}"
     near = known and peak >= NEAR * bound
     shown = np.column_stack([values, planned]) * factor
     limits: tuple[float | None, float | None] = (None, None)
@@ -168,7 +169,7 @@ def _drive(
         )
         limits = (0.0 if pulls else least, most)
     return Chart(
-        f"{drive}, {quantity}", powers(unit), words,
+        f"{drive}, {quantity}", unit, words,
         curves(rows["time"], shown, ("run", "plan"), ("run", "plan"),
                2.0 * factor * largest if near else 0.0),
         limits,
@@ -252,8 +253,3 @@ def arrivals(rows: Rows, end: float) -> list[float]:
         return [0.0, round(end, 4)]
     jumps = np.flatnonzero(np.diff(rows["plan.interval"].astype(int)) > 0) + 1
     return [0.0, *(round(float(rows["time"][i]), 4) for i in jumps), round(end, 4)]
-
-
-def powers(unit: str) -> str:
-    """A unit with its powers as they are printed."""
-    return unit.replace("s2", "s²")

@@ -16,7 +16,6 @@ from segfmu.validation.report.motion import (
     drive_section,
     error_section,
     load_section,
-    powers,
     sway_section,
 )
 from segfmu.validation.report.page import Cell, Page, Section, Table
@@ -75,10 +74,9 @@ def _verdicts(found: Criteria) -> Table:
     known = [use for use in found.uses if isfinite(use.bound)]
     for use, row in zip(known, used, strict=True):
         (peak, bound), unit = shown((use.peak, use.bound), use.unit)
-        name = powers(unit)
         rows.append((
-            use.name, f"{pretty(peak)} {name} ({row.value:.1f} %)",
-            f"{row.allowed:.0f} % of {pretty(bound)} {name}", _share(row), _word(row),
+            use.name, f"{pretty(peak)} {unit} ({row.value:.1f} %)",
+            f"{row.allowed:.0f} % of {pretty(bound)} {unit}", _share(row), _word(row),
             "crane or actuators",
         ))
     heads = ("measure", "value", "allowed", "margin", "verdict", "set by")

@@ -14,7 +14,6 @@ from segfmu.validation.report.motion import (
     drive_section,
     error_section,
     owned,
-    powers,
     sway_section,
 )
 from segfmu.validation.report.page import Cell, Page, Section, Table
@@ -101,7 +100,8 @@ def _verdict(passed: bool, result: Result) -> Cell:
 
 def percent(share: float) -> str:
     """A margin as a share of its bound, with a sign unless it is zero."""
-    return "0.0 %" if abs(share) < 5e-4 else f"{100.0 * share:+,.1f} %"
+    digits = 0 if abs(share) >= 10.0 else 1
+    return "0.0 %" if abs(share) < 5e-4 else f"{100.0 * share:+,.{digits}f} %"
 
 
 def _overview(results: list[Result]) -> Table:
@@ -123,7 +123,7 @@ def _criteria(results: list[Result]) -> Table:
             share = found.normalised
             rows.append((
                 result.scenario.file.name, found.name, found.signal, *(
-                    with_unit(pretty(value), powers(found.unit))
+                    (with_unit(pretty(value), found.unit), "number")
                     for value in (found.bound, found.margin)
                 ),
                 ("", "") if share is None else (percent(share), "margin"),
@@ -139,7 +139,7 @@ def _details(result: Result, rows: Rows, number: int) -> Section:
     error = error_section(rows)
     return Section(
         result.scenario.file.name, error.text or "Load less plan, sway, and forces of the drives.",
-        (*error.legend, ("run", "run"), ("plan", "plan")),
+        (*error.legend, ("run", "run: sway, forces"), ("plan", "plan")),
         [
             *error.charts, *sway_section(rows, bounds).charts,
             *drive_section(rows, bounds, QUANTITIES).charts,

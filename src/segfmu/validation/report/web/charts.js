@@ -70,7 +70,7 @@
       font: {family: "system-ui, sans-serif", size: 12}, shapes: shapes(chart, ranges),
       xaxis: {
         range: ranges.x, fixedrange: true, ticksuffix: timed ? " s" : "", showticksuffix: "last",
-        zeroline: false, nticks: timed ? 7 : 4, tickangle: 0, exponentformat: "e",
+        zeroline: false, nticks: timed ? 7 : 4, tickangle: 0, exponentformat: "e", showexponent: "all",
         title: timed ? {} : {text: plain(chart.across), standoff: 6},
       },
       yaxis: {range: ranges.y, fixedrange: true, nticks: 6, zeroline: true, exponentformat: "e"},
