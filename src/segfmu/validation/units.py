@@ -103,6 +103,11 @@ def length(largest: float) -> tuple[float, str]:
     return (1e3, "mm") if largest >= 1e-5 else (1e6, "µm")
 
 
+def scale_with_lengths(largest: float, unit: str) -> tuple[float, str]:
+    """As `scale`, with lengths in the unit of their size."""
+    return length(largest) if unit == "m" else scale(largest, unit)
+
+
 def ways_from_start(
     trajectory: Trajectory, times: FloatArray
 ) -> tuple[FloatArray, float, str]:

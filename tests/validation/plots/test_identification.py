@@ -21,6 +21,21 @@ def part(name: str, signals: tuple[str, ...], index: float) -> Prediction:
     )
 
 
+def test_what_changes_little_far_from_zero_is_no_flat_line() -> None:
+    """A rope of 30 m with 1 mm of noise was two lines, and its difference a third."""
+    name, times = "measured.rope.length", np.linspace(0.0, 5.0, 50)
+    noise = 1e-3 * np.sin(40.0 * times)
+    one = Prediction(
+        "log", {"time": times, name: 30.0 + noise, f"simulated.{name}": np.full(50, 30.0)},
+        (SignalFit(name, 0.0, 1e-3, 1e-3, 1.0),), None, (),
+    )
+    (panel,) = plot_identification([one], "fitted").axes
+    assert panel.get_ylabel() == "measured\nrope.length\nless 30 m\n[mm]"
+    measured, simulated, difference = (line.get_ydata() for line in panel.lines)
+    assert np.allclose(measured, 1e3 * noise) and np.allclose(simulated, 0.0)
+    assert np.allclose(difference, 1e3 * noise)
+
+
 def test_names_are_apart_and_fits_have_few_digits(tmp_path: Path) -> None:
     shown = [part("a log", (*OUTPUTS, *LOAD), -2.74e7), part("with $1", OUTPUTS[:2], np.nan)]
     figure = plot_identification(shown, "only predicted")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from datetime import date
-from math import floor, log10
 from pathlib import Path
 from typing import Any
 
@@ -44,20 +43,12 @@ def crane_text(found: Identification, path: Path) -> str:
         document = tomlkit.parse(found.source.read_text(encoding="utf-8-sig"))
     names = encodable(", ".join(dict.fromkeys(Path(p.log).name for p in found.fitted)))
     for estimate in found.estimates:
-        _set(document, estimate.key, rounded(estimate), _source(estimate, names))
+        _set(document, estimate.key, estimate.rounded, _source(estimate, names))
     for untold in found.untold:
         _note(document, untold, names)
     text = tomlkit.dumps(document)
     check(checked(CraneFile, document.unwrap(), str(path)), str(path))
     return text
-
-
-def rounded(estimate: Estimate) -> float:
-    """A value with digits down to a hundredth of its interval."""
-    width = estimate.high - estimate.low
-    if width <= 0.0:
-        return estimate.value
-    return round(estimate.value, 2 - floor(log10(width)))
 
 
 def _source(estimate: Estimate, names: str) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import floor, log10
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,9 +50,17 @@ class Estimate:
     low: float
     high: float
 
+    @property
+    def rounded(self) -> float:
+        """The value with digits down to a hundredth of its interval."""
+        width = self.high - self.low
+        if width <= 0.0:
+            return self.value
+        return round(self.value, 2 - floor(log10(width)))
+
     def __str__(self) -> str:
         return (
-            f"{self.key} {pretty(self.value)} {self.unit} "
+            f"{self.key} {pretty(self.rounded)} {self.unit} "
             f"({pretty(self.low)} to {pretty(self.high)})"
         )
 
