@@ -257,7 +257,8 @@ def _write_plan(task: Mission, trajectory: Trajectory, output: Path, every: int)
     from segfmu.validation.units import signal_units
 
     write_csv(output / "plan.csv", plan_samples(task, trajectory, every), signal_units())
-    save(plot_plan(trajectory, task.name), output / "plan.png")
+    given = task.limits is not None
+    save(plot_plan(trajectory, task.name, given), output / "plan.png")
     save(plot_path(trajectory, task.name, task.build_clearance()), output / "path.png")
     bounds = task.build_bounds() or ActuatorBounds()
     drives = plot_drives(

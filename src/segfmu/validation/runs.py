@@ -173,7 +173,7 @@ class Run:
         if what == "run":
             return plot_run(self.rows, trajectory.waypoint_times, name, crane, bounds)
         if what == "plan":
-            return plot_plan(trajectory, name)
+            return plot_plan(trajectory, name, self.mission.limits is not None)
         if what == "path":
             return plot_path(trajectory, name, task.build_clearance())
         return plot_drives(crane, trajectory, bounds, name, task.build_friction())

@@ -10,7 +10,7 @@ from segfmu.planning import Trajectory
 from segfmu.planning.limits import NAMES, UNITS
 from segfmu.planning.verify import Verification
 from segfmu.validation.criteria import DRIVES, Criteria
-from segfmu.validation.units import labelled, shown
+from segfmu.validation.units import labelled, resting, shown
 
 
 def plan_table(
@@ -30,8 +30,12 @@ def plan_table(
     for order, (quantity, unit) in enumerate(zip(NAMES, UNITS, strict=True)):
         if order < min(trajectory.smoothness, 4):
             cells = [
-                f"{peak:.4g} of {limit:.4g}" if np.isfinite(limit) else f"{peak:.4g}, free"
-                for peak, limit in zip(found.peaks[order], found.limits[order], strict=True)
+                # for an axis that rests none are searched for
+                "rests" if rest and not given
+                else f"{peak:.4g} of {limit:.4g}" if np.isfinite(limit) else f"{peak:.4g}, free"
+                for peak, limit, rest in zip(
+                    found.peaks[order], found.limits[order], resting(trajectory), strict=True
+                )
             ]
             table.add_row(escape(labelled(quantity, unit)), *cells)
     return table

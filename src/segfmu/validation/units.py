@@ -108,6 +108,12 @@ def scale_with_lengths(largest: float, unit: str) -> tuple[float, str]:
     return length(largest) if unit == "m" else scale(largest, unit)
 
 
+def resting(trajectory: Trajectory) -> tuple[bool, ...]:
+    """Which axes do not move."""
+    low, high = trajectory.extrema(1)
+    return tuple((np.maximum(high, -low) == 0.0).tolist())
+
+
 def ways_from_start(
     trajectory: Trajectory, times: FloatArray
 ) -> tuple[FloatArray, float, str]:

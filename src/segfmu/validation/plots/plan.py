@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from segfmu.arrays import FloatArray
 from segfmu.planning import Trajectory
 from segfmu.validation.plots.style import COLOURS, SAMPLES, finish, legend, stack
-from segfmu.validation.units import ways_from_start
+from segfmu.validation.units import resting, ways_from_start
 
 QUANTITIES = (
     ("velocity", "m/s"), ("acceleration", "m/s²"), ("jerk", "m/s³"),
@@ -19,18 +19,23 @@ QUANTITIES = (
 EDGE = 115.0
 
 
-def plot_plan(trajectory: Trajectory, title: str) -> Figure:
-    """The way from the start, and its derivatives, relative to their limits if there are any."""
+def plot_plan(trajectory: Trajectory, title: str, given: bool = True) -> Figure:
+    """The way from the start, and its derivatives, relative to their limits if there are any.
+
+    given: whether the limits are the mission's, not those of the search within the drives' bounds.
+    """
     figure, panels = stack(1 + len(QUANTITIES))
     times = np.linspace(0.0, trajectory.duration, SAMPLES)
     table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
+    rests = resting(trajectory)
     _way(panels[0], trajectory, times)
     for order, ((quantity, unit), panel) in enumerate(zip(QUANTITIES, panels[1:], strict=True), 1):
         values = trajectory(times, order)
         limited = bool((table[0, :, order - 1] > 0.0).all())
-        for axis, name in enumerate(trajectory.axis_names):
+        for axis, (name, rest) in enumerate(zip(trajectory.axis_names, rests, strict=True)):
             label, column = name, values[:, axis]
-            if limited:
+            # for an axis that rests no limits are searched for
+            if limited and (given or not rest):
                 upper, lower = table[:, axis, order - 1].tolist()
                 label = f"{name}, of {upper:.4g} {unit}"
                 if lower != upper:

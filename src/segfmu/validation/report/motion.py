@@ -20,7 +20,7 @@ from segfmu.validation.drive_use import run_demands
 from segfmu.validation.files.keys import AXES
 from segfmu.validation.report.curves import digits, thinned
 from segfmu.validation.report.page import NEAR, Chart, Curve, Section
-from segfmu.validation.units import length, powers, pretty, scale, ways_from_start
+from segfmu.validation.units import length, powers, pretty, resting, scale, ways_from_start
 
 SAMPLES = 2000
 # [m], [rad]: below these numbers are noise of the computation
@@ -59,9 +59,11 @@ def load_section(trajectory: Trajectory, given: bool = True) -> Section:
     if trajectory.duration == 0.0:
         return Section("Load against its limits", "The load rests in its place: the plan is 0 s.")
     table = trajectory.limits.sides(trajectory.axes, trajectory.smoothness)
+    # for an axis that rests no limits are searched for
+    known = [given or not rest for rest in resting(trajectory)]
     charts = [_position(trajectory, times)]
     for order, name in enumerate(NAMES[: min(trajectory.smoothness, 4)], 1):
-        charts.append(_derivative(trajectory, times, order, name, table[..., order - 1]))
+        charts.append(_derivative(trajectory, times, order, name, table[..., order - 1], known))
     return Section(
         "Load against its limits",
         "The planned motion of the load. Vertical lines: arrivals at the waypoints."
@@ -82,9 +84,13 @@ def _position(trajectory: Trajectory, times: FloatArray) -> Chart:
 
 
 def _derivative(
-    trajectory: Trajectory, times: FloatArray, order: int, name: str, limits: FloatArray
+    trajectory: Trajectory, times: FloatArray, order: int, name: str, limits: FloatArray,
+    known: Sequence[bool],
 ) -> Chart:
-    """In percent where all axes are limited; limits (2, axes) of both directions."""
+    """In percent where all axes are limited; limits (2, axes) of both directions.
+
+    known: whether limits of an axis are more than a number in its place.
+    """
     unit = powers(LIMIT_UNITS[order - 1])
     low, high = trajectory.extrema(order)
     peaks = np.array([high, -low])
@@ -92,9 +98,10 @@ def _derivative(
     # of each axis the direction that uses more of its limit
     used = (peaks / np.where(limits > 0.0, limits, 1.0)).argmax(axis=0)
     words = "; ".join(
-        f"{axis} {pretty(float(peak))}" + (f" of {pretty(float(most))}" if most > 0.0 else "")
-        for axis, peak, most in zip(
-            AXES, *(np.take_along_axis(a, used[None], axis=0)[0] for a in (peaks, limits)),
+        f"{axis} {pretty(float(peak))}"
+        + (f" of {pretty(float(most))}" if most > 0.0 and told else "")
+        for axis, peak, most, told in zip(
+            AXES, *(np.take_along_axis(a, used[None], axis=0)[0] for a in (peaks, limits)), known,
             strict=True,
         )
     )
