@@ -324,6 +324,25 @@ def test_what_is_read_is_not_written_over(words: tuple[str, ...], lost: str, tmp
     assert all((tmp_path / n).read_text(encoding="utf-8") == text for n, text in files.items())
 
 
+@pytest.mark.parametrize(("command", "junit", "told"), [
+    ("validate", "o", "o: would be in the place of the results in o"),
+    ("validate", "o/results.json", "o/results.json: would be among the results in o"),
+    ("validate", "o/../o/t.csv", "o/../o/t.csv: would be among the results in o"),
+    ("campaign", "o/campaign.json", "o/campaign.json: would be among the results in o"),
+])
+def test_tests_are_not_written_over_results(
+    command: str, junit: str, told: str, tmp_path, monkeypatch, capsys
+) -> None:
+    """The suite was run, and its results replaced; or nothing could be written after all."""
+    monkeypatch.chdir(tmp_path)
+    Path("t.toml").write_text(SCENARIO.replace("MODELS", MODELS.as_posix()), encoding="utf-8")
+    Path("k.toml").write_text(CAMPAIGN, encoding="utf-8")
+    file = "t.toml" if command == "validate" else "k.toml"
+    code, _, error = invoke(monkeypatch, capsys, command, file, "-o", "o", "--junit", junit)
+    assert code == 2 and error.strip().endswith(f"{told}; give it another name")
+    assert not Path("o").exists()
+
+
 def test_build_into_a_file_is_refused(tmp_path, monkeypatch, capsys) -> None:
     (tmp_path / "taken").write_text("x", encoding="utf-8")
     code, _, error = invoke(monkeypatch, capsys, "build", "-o", str(tmp_path / "taken"))

@@ -22,6 +22,7 @@ from segfmu.cli.console import console, tell
 from segfmu.cli.work import warn_unproved
 from segfmu.validation.output import (
     folder,
+    require_apart,
     require_file,
     require_folder,
     require_kept,
@@ -81,6 +82,7 @@ def campaign(
     require_utf8(Path(output))
     if junit is not None:
         require_file(junit)
+        require_apart(junit, output, *CAMPAIGN_FILES, REPORT)
         require_kept([file], [junit])
     task = load_campaign(file)
     if junit is not None:

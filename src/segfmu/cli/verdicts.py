@@ -13,6 +13,7 @@ from segfmu.cli.work import warn_unproved, watched
 from segfmu.errors import InputError
 from segfmu.validation.output import (
     folder,
+    require_apart,
     require_file,
     require_folder,
     require_kept,
@@ -64,6 +65,8 @@ def validate(
         require_file(junit)
     scenarios = [load_scenario(path) for path in find(paths)]
     names = [*SUITE_FILES, *table_names(scenarios)] if output is not None else []
+    if junit is not None and output is not None:
+        require_apart(junit, output, *names)
     written = [Path(output or "") / name for name in names] + ([junit] if junit else [])
     for scenario in scenarios:
         require_kept(files_of(read_source(scenario.path)), written)

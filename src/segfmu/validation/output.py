@@ -67,6 +67,22 @@ def require_file(path: Path) -> None:
         raise InputError(f"{path}: cannot be written: {reason}")
 
 
+def require_apart(file: Path, output: str | Path, *names: str) -> None:
+    """Refuse a file that is the folder of the results, above it, or one of these files in it.
+
+    Raises
+    ------
+    InputError
+        That names both.
+    """
+    own, place = file.resolve(), folder_path(output).resolve()
+    if own == place or own in place.parents or own in [place / name for name in names]:
+        what = "among" if own.parent == place else "in the place of"
+        raise InputError(
+            f"{file}: would be {what} the results in {output}; give it another name"
+        )
+
+
 def require_kept(read: Iterable[str | Path | None], written: Iterable[Path]) -> None:
     """Refuse to write over what is read.
 

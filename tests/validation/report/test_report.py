@@ -166,7 +166,7 @@ def test_limits_that_the_mission_does_not_have_are_told(given: bool) -> None:
     table = plan_table("m", trajectory, segfmu.verify(trajectory), given)
     assert (table.caption is None) == given
     # y rests: limits of 1 stand for none that were searched for
-    assert list(table.columns[2].cells)[0] == ("0 of 1" if given else "rests")
+    assert next(iter(table.columns[2].cells)) == ("0 of 1" if given else "rests")
     assert ("y 0 of 1;" in load_section(trajectory, given).charts[1].caption) == given
     lines = plot_plan(trajectory, "m", given).axes[1].lines
     assert [lines[0].get_label(), lines[1].get_label()] == [
