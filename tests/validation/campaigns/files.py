@@ -130,7 +130,8 @@ def threaded() -> Iterator[None]:
     @contextmanager
     def local(jobs: int) -> Iterator[LocalCluster]:
         with LocalCluster(
-            n_workers=jobs, threads_per_worker=1, processes=False, dashboard_address=None
+            n_workers=jobs, threads_per_worker=1, processes=False,
+            dashboard_address="127.0.0.1:0",
         ) as found:
             yield found
 

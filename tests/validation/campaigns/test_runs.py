@@ -237,7 +237,8 @@ def scheduler(tmp_path: Path) -> Iterator[tuple[str, list[subprocess.Popen[bytes
     """Address of a scheduler with two workers, each a process started by hand, and these."""
     processes: list[subprocess.Popen[bytes]] = []
     with distributed.LocalCluster(
-        n_workers=0, host="127.0.0.1", protocol="tcp", processes=False, dashboard_address=None
+        n_workers=0, host="127.0.0.1", protocol="tcp", processes=False,
+        dashboard_address="127.0.0.1:0",
     ) as cluster:
         try:
             processes += [
