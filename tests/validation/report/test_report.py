@@ -269,13 +269,33 @@ def test_the_table_of_a_campaign_is_whole_on_a_narrow_terminal() -> None:
     })
     result = CampaignResult(
         "gusts", Path(), ("gust",), ("no sway behind the arrival",), table,
-        units={"no sway behind the arrival": "rad"},
+        units={"no sway behind the arrival": "rad"}, draws=1000,
     )
     shown = StringIO()
     Console(file=shown, width=80).print(criteria_table(result))
     lines = shown.getvalue().splitlines()[1:]
     assert {len(line) for line in lines} == {len(lines[0])} and len(lines[0]) <= 80
-    assert lines[0][-1] == "┓" and all(word in shown.getvalue() for word in ("depends", "gust"))
+    assert lines[0][-1] == "┓" and all(
+        word in shown.getvalue() for word in ("fails (95 %)", "depends", "gust")
+    )
+
+
+def test_a_campaign_has_no_empty_columns_and_names_no_chart_that_is_not_there() -> None:
+    """Of runs that are no draws the probability of a failure is not known."""
+    for draws, columns in ((0, ("share",)), (500, ("share", "fails (95 %)"))):
+        page = campaign_page(replace(campaign(), draws=draws))
+        assert page.summary.heads == (
+            "criterion", "held", *columns, "least margin", "run", "depends most on"
+        )
+        assert all("" not in row[:-1] for row in page.summary.rows)
+    table = campaign().table
+    methods = pyarrow.array(["a" if gust < 1.0 else "b" for gust in table["gust"].to_pylist()])
+    chosen = replace(
+        campaign(), factors=("gust",),
+        table=table.set_column(table.column_names.index("gust"), "gust", methods),
+    )
+    section = next(s for s in campaign_page(chosen).sections if s.title.startswith("What the"))
+    assert not section.charts and "charts" not in section.text
 
 
 def test_numbers_with_exponents_stay_on_one_line(tmp_path: Path) -> None:

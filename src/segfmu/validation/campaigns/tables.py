@@ -27,8 +27,7 @@ def criteria_table(result: CampaignResult) -> Table:
     """
     # no space beside the lines: with it, 80 characters have no room for the last column
     table = Table(title=escape(result.name), padding=0)
-    rates = (FAILS,) if result.rare else () if result.searched else ("share", FAILS)
-    counts = ("held", *rates)
+    counts = ("held", *rates(result))
     last = "worst case" if result.searched else "depends on"
     for name in ("criterion", *counts, "margin", "run", last):
         left = name in ("criterion", last)
@@ -49,6 +48,12 @@ def criteria_table(result: CampaignResult) -> Table:
             "" if row.run is None else str(row.run), _causes(result, row),
         )
     return table
+
+
+def rates(result: CampaignResult) -> tuple[str, ...]:
+    """Columns that tell how often criteria hold and fail, of which something is known."""
+    known = any(row.fails is not None for row in result.summaries)
+    return (*(() if result.searched else ("share",)), *((FAILS,) if known else ()))
 
 
 def case(values: Mapping[str, Any]) -> str:

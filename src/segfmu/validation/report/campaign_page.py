@@ -9,7 +9,7 @@ import numpy as np
 from segfmu.arrays import FloatArray
 from segfmu.validation.campaigns.result import CampaignResult
 from segfmu.validation.campaigns.summary import Summary
-from segfmu.validation.campaigns.tables import CHANCE, FAILS, case
+from segfmu.validation.campaigns.tables import CHANCE, FAILS, case, rates
 from segfmu.validation.report.curves import digits
 from segfmu.validation.report.page import Cell, Chart, Curve, Page, Section, Table
 from segfmu.validation.report.requirements import requirement_sections
@@ -55,23 +55,18 @@ def _facts(result: CampaignResult, count: int) -> list[tuple[str, str]]:
 
 def _overview(result: CampaignResult) -> Table:
     rows: list[tuple[Cell, ...]] = []
+    columns = rates(result)
     for row in result.summaries:
-        share = (f"{100.0 * row.share:.1f} %", "good" if row.held == row.judged else "bad")
-        # how often the runs of a search fail says nothing of other runs
-        fails = "" if row.fails is None else str(row.fails)
-        rates: tuple[Cell, ...] = (share, fails)
-        if result.searched:
-            rates = (fails,) if result.rare else ()
+        cells: dict[str, Cell] = {
+            "share": (f"{100.0 * row.share:.1f} %", "good" if row.held == row.judged else "bad"),
+            FAILS: "" if row.fails is None else str(row.fails),
+        }
         rows.append((
-            row.criterion, f"{row.held} of {row.judged}", *rates,
-            row.least,
-            "" if row.run is None else str(row.run), _causes(result, row),
+            row.criterion, f"{row.held} of {row.judged}", *(cells[name] for name in columns),
+            row.least, "" if row.run is None else str(row.run), _causes(result, row),
         ))
     last = "worst case" if result.searched else "depends most on"
-    counts: tuple[str, ...] = ("share", FAILS)
-    if result.searched:
-        counts = (FAILS,) if result.rare else ()
-    heads = ("criterion", "held", *counts, "least margin", "run", last)
+    heads = ("criterion", "held", *columns, "least margin", "run", last)
     return Table("Criteria in all runs", heads, rows)
 
 
@@ -127,8 +122,10 @@ def _dependence(result: CampaignResult) -> list[Section]:
     heads = ("criterion", "factor", "effect on the margin", "kind", "by chance")
     text = (
         "Effects beside those of all other factors: of a number from -1 to 1, of a choice from 0 "
-        "to 1. The charts have the runs over the number with the largest effect."
+        "to 1."
     )
+    if charts:
+        text += " The charts have the runs over the number with the largest effect."
     return [Section("What the margins depend on", text, charts=charts,
                     tables=[Table("Sensitivities", heads, rows)])]
 
