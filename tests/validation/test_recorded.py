@@ -14,9 +14,10 @@ import segfmu
 from segfmu.errors import InputError
 from segfmu.validation.files.recording import load_recording
 from segfmu.validation.files.scenario_file import find, load_scenario
+from segfmu.validation.report import run_page
 from segfmu.validation.suite import Runner
 from tests.command import called
-from tests.compiler import require_native
+from tests.compiler import needs_native, require_native
 
 FOLDER = Path(__file__).parents[2] / "models" / "commands"
 CRANES = ("lab", "factory", "port")
@@ -193,3 +194,43 @@ def test_a_crane_with_a_hook_follows_no_commands() -> None:
         segfmu.simulate(
             FOLDER.parent / "hook_lab.toml", commands=FOLDER / "lab" / "released.csv"
         )
+
+
+@needs_native
+def test_the_report_of_commands_tells_no_plan_that_was_not_followed(tmp_path: Path) -> None:
+    """It had the mission's plan, arrivals at its waypoints, and another command."""
+    mission = FOLDER.parent / "container.toml"
+    commands = tmp_path / "my commands.csv"
+    commands.write_bytes((FOLDER / "port" / "inching.csv").read_bytes())
+    run = segfmu.simulate(mission, step=0.02, commands=commands)
+    page = run_page(run)
+    assert page.kind == "Co-simulated mission under commands"
+    assert page.facts[0] == ("at rest from", f"{run.criteria.duration:.3f} s")
+    titles = [section.title for section in page.sections]
+    assert titles == ["Drives against their bounds", "Sway", "Tracking error", "What was run"]
+    assert all(not section.arrivals for section in page.sections)
+    (table,) = page.sections[-1].tables
+    assert ("commands", "my commands.csv") in table.rows
+    assert page.sections[-1].commands == [
+        f"segfmu simulate {mission} --step 0.02 --commands '{commands}'"
+    ]
+    panels = run.plot().axes
+    assert panels[-1].get_xlabel() == "time [s]; dashed: bounds of the drives"
+    # 115 W of 589 kW: the axis of power is that of its bound
+    assert panels[3].get_ylabel() == "power\n[kW]"
+
+
+@pytest.mark.parametrize(("changes", "step", "words"), [
+    (None, None, "segfmu simulate {}"), (None, 0.05, "segfmu simulate {} --step 0.05"),
+    ({"simulation": {"settle": 1.0}}, None, ""),
+])
+@needs_native
+def test_a_run_tells_the_command_that_repeats_it(
+    changes: dict[str, object] | None, step: float | None, words: str
+) -> None:
+    """Of a mission that was changed in Python there is none."""
+    file = FOLDER.parent / "paper.toml"
+    mission = segfmu.load_mission(segfmu.load_mission(file, changes))
+    run = segfmu.simulate(mission, step=step)
+    assert run.again == words.format(file)
+    assert run_page(run).sections[-1].commands == ([run.again] if words else [])

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from html import escape
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
@@ -68,6 +69,10 @@ class Run:
         Measures of the run and what is allowed.
     notes : tuple of str
         What the user must know of the FMUs that were used and of the plan.
+    commands : Path or None
+        Recording of the operator's commands that were followed in place of the plan.
+    again : str
+        Command that runs it again; empty if its mission is that of no file.
     """
 
     mission: Mission
@@ -75,6 +80,8 @@ class Run:
     rows: NDArray[np.void]
     criteria: Criteria
     notes: tuple[str, ...] = ()
+    commands: Path | None = None
+    again: str = ""
 
     @property
     def note(self) -> str:
@@ -171,7 +178,9 @@ class Run:
         task, trajectory, name = self.mission, self.trajectory, self.mission.name
         crane, bounds = task.build_crane(), task.build_bounds() or ActuatorBounds()
         if what == "run":
-            return plot_run(self.rows, trajectory.waypoint_times, name, crane, bounds)
+            # under commands the load does not go to the waypoints
+            times = trajectory.waypoint_times if self.commands is None else np.empty(0)
+            return plot_run(self.rows, times, name, crane, bounds)
         if what == "plan":
             return plot_plan(trajectory, name, self.mission.limits is not None)
         if what == "path":
@@ -268,7 +277,19 @@ def simulate(
         task.build_bounds(),
     )
     notes = archives.note, sticking(task, trajectory), unknown_wind(task)
-    return Run(task, trajectory, rows, found, tuple(filter(None, notes)))
+    return Run(
+        task, trajectory, rows, found, tuple(filter(None, notes)),
+        None if commands is None else Path(commands), _again(task, step, commands),
+    )
+
+
+def _again(task: Mission, step: float | None, commands: str | Path | None) -> str:
+    if task.file is None or task.changed:
+        return ""
+    words = ["segfmu", "simulate", quote(str(task.file))]
+    words += [] if step is None else ["--step", f"{step:.15g}"]
+    words += [] if commands is None else ["--commands", quote(str(commands))]
+    return " ".join(words)
 
 
 def _rests(rows: NDArray[np.void]) -> float:

@@ -61,6 +61,7 @@ class Mission(Table):
     """
 
     _file: Path | None = PrivateAttr(default=None)
+    _changed: bool = PrivateAttr(default=False)
 
     name: Annotated[
         Annotated[str, Field(max_length=100), AfterValidator(printable)],
@@ -160,6 +161,11 @@ class Mission(Table):
     def file(self) -> Path | None:
         """The file that it was read from."""
         return self._file
+
+    @property
+    def changed(self) -> bool:
+        """Whether it has values in place of those of its file."""
+        return self._changed
 
     @property
     def simulated(self) -> CraneFile:

@@ -82,7 +82,9 @@ def load_mission(source: Source, changes: Mapping[str, Any] | None = None) -> Mi
         data = _with_files(None, plain(source))
     else:
         raise InputError(f"a mission is a file or a dict, got {type(source).__name__}")
-    return build_mission(file, merged(data, plain(changes or {})))
+    mission = build_mission(file, merged(data, plain(changes or {})))
+    mission._changed = bool(changes) or (isinstance(source, Mission) and source.changed)
+    return mission
 
 
 def read_mission(path: Path) -> dict[str, Any]:

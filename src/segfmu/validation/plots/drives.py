@@ -65,7 +65,9 @@ def draw_demands(
             shown[:, 2], upper[2] = -shown[:, 2] - weight, -lower[2] - weight
             lower[2] = -weight if np.isfinite(upper[2]) else -np.inf
             labels[2] = "hoist less weight"
-        factor, unit = scale(float(np.abs(shown).max()), UNITS[quantity])
+        known = [float(b) for b in (*upper, *lower, 0.0) if np.isfinite(b)]
+        largest = max(float(np.abs(shown).max()), *map(abs, known))
+        factor, unit = scale(largest, UNITS[quantity])
         for i, label in enumerate(labels):
             panel.plot(times, factor * shown[:, i], color=COLOURS[i], label=label)
             for bound in filter(np.isfinite, (upper[i], lower[i])):

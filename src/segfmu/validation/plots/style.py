@@ -94,7 +94,7 @@ def finish(
     """Arrivals at waypoints, grid and title of a stack; lines: what others than curves are."""
     for panel in panels:
         marks(panel, times)
-    told = ("time [s]", "grey: arrival at a waypoint", lines)
+    told = ("time [s]", "grey: arrival at a waypoint" if len(times) else "", lines)
     panels[-1].set_xlabel("; ".join(filter(None, told)))
     figure.suptitle(label(title))
     return figure

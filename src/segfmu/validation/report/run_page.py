@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import inf, isfinite
-from shlex import quote
 from typing import TYPE_CHECKING
 
 from segfmu.crane import ActuatorBounds
 from segfmu.planning import Trajectory
 from segfmu.validation.criteria import Criteria, Row
 from segfmu.validation.files.crane_models import model_of, table_of
-from segfmu.validation.files.mission import Mission
 from segfmu.validation.report.motion import (
     drive_section,
     error_section,
@@ -31,28 +29,34 @@ def run_page(run: Run) -> Page:
     mission, trajectory, rows = run.mission, run.trajectory, run.rows
     bounds = mission.build_bounds() or ActuatorBounds()
     times = [round(float(time), 4) for time in trajectory.waypoint_times]
+    load = [load_section(trajectory, mission.limits is not None)]
+    kind, duration = "Co-simulated mission", "planned duration"
+    if run.commands is not None:
+        # in place of the plan, so that the load does not go to its waypoints
+        times, load = [], []
+        kind, duration = "Co-simulated mission under commands", "at rest from"
     return Page(
         title=mission.name,
-        kind="Co-simulated mission",
+        kind=kind,
         passed=run.passed,
         verdict="passed" if run.passed else "failed",
-        facts=_facts(run.criteria),
+        facts=_facts(run.criteria, duration),
         summary=_verdicts(run.criteria),
         scenes=[scene(mission, rows, mission.name)],
         sections=[
             *(replace(part, scene=0, arrivals=times, end=float(rows["time"][-1])) for part in (
-                load_section(trajectory, mission.limits is not None), drive_section(rows, bounds),
-                sway_section(rows, bounds), error_section(rows),
+                *load, drive_section(rows, bounds), sway_section(rows, bounds),
+                error_section(rows),
             )),
-            _task(mission, trajectory),
+            _task(run),
         ],
     )
 
 
-def _facts(found: Criteria) -> list[tuple[str, str]]:
+def _facts(found: Criteria, duration: str) -> list[tuple[str, str]]:
     error, sway = found.rows[:2]
     facts = [
-        ("planned duration", f"{found.duration:.3f} s"),
+        (duration, f"{found.duration:.3f} s"),
         (error.name, error.measured), (sway.name, sway.measured),
     ]
     used = [use for use in found.uses if isfinite(use.bound)]
@@ -97,17 +101,9 @@ def _word(row: Row) -> Cell:
     return ("passed", "good") if row.passed else ("failed", "bad")
 
 
-def _task(mission: Mission, trajectory: Trajectory) -> Section:
+def _task(run: Run) -> Section:
     """Waypoints, the crane, and how to run this again."""
-    stops = Table(
-        "Waypoints", ("waypoint", "arrival [s]", "x [m]", "y [m]", "z [m]"),
-        [
-            (str(i), f"{time:.3f}", *(pretty(float(p)) for p in point.position))
-            for i, (time, point) in enumerate(
-                zip(trajectory.waypoint_times, trajectory.waypoints, strict=True), 1
-            )
-        ],
-    )
+    mission = run.mission
     crane = mission.simulated
     parts = [("bridge", crane.bridge_mass), ("trolley", crane.trolley_mass)]
     parts += [("load", crane.payload_mass)]
@@ -121,11 +117,22 @@ def _task(mission: Mission, trajectory: Trajectory) -> Section:
         ("communication step", f"{mission.simulation.step:g} s"),
         ("drives follow", f"{mission.simulation.drive or crane.drive} setpoints"),
     ]
-    commands = [f"segfmu simulate {quote(str(mission.file))}"] if mission.file else []
-    return Section(
-        "What was run", tables=[stops, Table("Crane and run", ("", ""), [*masses, *plan])],
-        commands=commands,
-    )
+    if run.commands is not None:
+        plan.append(("commands", run.commands.name))
+    tables = [Table("Crane and run", ("", ""), [*masses, *plan])]
+    if run.commands is None:
+        tables.insert(0, _waypoints(run.trajectory))
+    return Section("What was run", tables=tables, commands=[run.again] if run.again else [])
+
+
+def _waypoints(trajectory: Trajectory) -> Table:
+    rows = [
+        (str(i), f"{time:.3f}", *(pretty(float(p)) for p in point.position))
+        for i, (time, point) in enumerate(
+            zip(trajectory.waypoint_times, trajectory.waypoints, strict=True), 1
+        )
+    ]
+    return Table("Waypoints", ("waypoint", "arrival [s]", "x [m]", "y [m]", "z [m]"), rows)
 
 
 def crane_mass(mass: float) -> str:
