@@ -853,36 +853,6 @@ def join_plans(
     /,
 ) -> int: ...
 
-def keeps_drives(
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    known: Floats,
-    work: Floats,
-    /,
-) -> bool: ...
-
-def foresee_emergency(
-    operation: Floats,
-    known: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    work: Floats,
-    /,
-) -> bool: ...
-
-def take_over_measured(
-    operation: Floats,
-    known: Floats,
-    timing: Floats,
-    coefficients: Floats,
-    offsets: Integers,
-    work: Floats,
-    stack: Floats,
-    /,
-) -> int: ...
-
 def measure_phases(
     phases: Floats,
     count: int,
@@ -1018,6 +988,36 @@ def plan_onward(
     offsets: Integers,
     times: Floats,
     lead: Floats,
+    /,
+) -> int: ...
+
+def keeps_drives(
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    known: Floats,
+    work: Floats,
+    /,
+) -> bool: ...
+
+def foresee_emergency(
+    operation: Floats,
+    known: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    /,
+) -> bool: ...
+
+def take_over_measured(
+    operation: Floats,
+    known: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    offsets: Integers,
+    work: Floats,
+    stack: Floats,
     /,
 ) -> int: ...
 

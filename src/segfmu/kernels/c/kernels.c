@@ -394,6 +394,8 @@ static void write_wish(int64_t mode, double scale, array_double_1d aim, array_do
 static void write_aim(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool is_aim(int64_t row, array_double_2d operation);
 static bool is_slower(int64_t attempt);
+static bool is_apart(int64_t attempt, array_double_2d operation);
+static bool is_straight(int64_t attempt, array_double_2d operation);
 static double ease_of(int64_t attempt, int64_t place, array_double_2d operation);
 static void note_ease(int64_t attempt, double pace, double steepness, double speed, array_double_2d operation);
 static void stop_as_before(array_double_2d operation);
@@ -401,20 +403,6 @@ static double share_of(int64_t attempt, int64_t axis, array_double_2d operation)
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known);
-static int64_t most_newton(void);
-static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known);
-static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known);
-static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work);
-static void decline_line(int64_t axis, array_double_2d work);
-static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static void write_conditions(double interval, array_double_2d work);
-static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work);
-static double place_left(double aim, int64_t axis, double interval, array_double_2d work);
-static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static void solve_barrier(int64_t first, int64_t last, array_double_2d work);
-static double join_changes(int64_t first, int64_t last, array_double_2d work);
-static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
-static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
 static double shifted_root(double value, int64_t power, double shift);
 static int64_t plateau_duration(double* result_0_0001, double* result_1_0001, double change, int64_t first, array_double_1d axis);
@@ -442,107 +430,21 @@ static void cut_piece(int64_t row, int64_t last, double local, array_double_2d t
 static void settle_end(bool moves, int64_t first, int64_t last, array_double_2d coefficients, array_double_2d cut_coefficients, int64_t target);
 static void copy_piece(array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d target_timing, array_double_2d target_coefficients, int64_t target);
 static void add_power(double value, int64_t order, double before, array_double_2d coefficients, int64_t row);
-static double length_term(int64_t order, array_double_1d swing);
-static void write_square(array_double_1d swing, array_double_1d square);
-static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing);
-static void expand_swing(double gravity, array_double_1d swing, array_double_2d work);
-static void tighten_rope(array_double_1d swing);
-static void move_swing(double step, array_double_1d swing, array_double_2d work);
-static double swing_step(double longest, array_double_1d swing);
-static double resolved_step(double gravity, array_double_1d swing);
-static double stand_time(array_double_1d swing);
-static double sway_amplitude(double gravity, array_double_1d swing);
-static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work);
-static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work);
-static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static double swing_frequency(double gravity, array_double_1d swing);
-static void set_control_start(double interval, array_double_1d swing, array_double_2d work);
-static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control);
-static void begin_controlled(array_double_2d operation);
-static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work);
-static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull);
-static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
-static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
-static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static void set_range(double centre, double radius, array_double_1d found);
-static void add_range(double share, array_double_1d a, array_double_1d found);
-static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
-static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
-static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static void write_slope(int64_t axis, array_double_2d reach);
-static void write_stretch(array_double_2d reach);
-static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
-static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
-static void write_forces(array_double_1d crane, array_double_2d reach);
-static void lead_velocities(array_double_1d crane, array_double_2d reach);
-static void write_sway(array_double_2d reach);
-static bool write_demands(array_double_1d crane, array_double_2d work);
-static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
-static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work);
-static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets);
 static double plan_end(int64_t slot, int64_t axis, array_double_3d timing, array_int64_t_1d offsets);
+static double rest_time(int64_t slot, array_double_3d timing, array_int64_t_1d offsets);
 static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool has_room(int64_t slot, array_int64_t_1d offsets);
 static void clear_plan(int64_t slot, array_int64_t_1d offsets);
 static void note_present(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
-static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
-static double used_share(void);
-static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work);
-static void set_way(int64_t axis, array_double_2d operation, array_double_2d work);
-static int64_t most_runs(void);
-static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work);
-static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
-static int64_t most_growths(void);
-static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
-static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static void invert_flat(array_double_2d known, array_double_2d work);
-static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work);
-static void note_trips(array_double_2d operation);
-static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known);
-static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known);
-static void set_brakes(double share, array_double_1d swing, array_double_2d known);
-static bool is_inside(double value, int64_t demand, array_double_2d known);
-static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work);
-static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
-static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work);
-static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work);
-static double covered_time(array_double_2d operation);
-static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static double way_left(double velocity, double rest, array_double_1d way);
 static double room_left(int64_t axis, array_double_2d operation);
-static void hold_shares(array_double_2d operation);
+static double usual_hold(array_double_2d operation);
+static void hold_shares(double until, array_double_2d operation);
 static void shift_row(int64_t row, double later, double way, array_double_3d timing, array_double_3d coefficients);
 static bool join_held(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
 static bool holds_long_enough(double elapsed, array_double_2d operation);
 static bool prolong_holds(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
-static bool is_calming(array_double_2d operation);
-static bool aims_elsewhere(array_double_2d operation);
-static void note_calming(array_double_2d operation);
-static double next_calm(array_double_2d operation);
-static bool wants_calm(array_double_2d operation);
-static void write_calm_aim(array_double_2d operation);
-static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static void put_aside(array_double_2d operation);
-static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static void bring_back(array_double_2d operation);
-static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static bool is_hanging(array_double_1d command);
-static int64_t state_status(array_double_1d command);
-static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
-static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis);
 static double linear_level(double gain, double a, double b, array_double_1d axis);
 static int64_t root_level(double* result_0_0001, double* result_1, double gain, double a, double b, double lower, double upper, double start, array_double_1d axis);
@@ -911,7 +813,7 @@ static bool stop_behind(int64_t axis, array_double_2d operation, array_double_2d
 static bool shrink_share(int64_t axis, bool last, array_double_2d operation);
 static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d lead);
 static bool reach_velocities(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
-static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
+static bool seek_velocity(bool slow, double until, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
 static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
 static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
@@ -994,6 +896,116 @@ static void end_ways_at_target(array_double_2d operation);
 static bool lead_to_target(array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool plan_target(array_double_2d limits, array_double_2d lower, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static bool seek_target(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
+static double way_to_target(int64_t axis, array_double_2d operation);
+static bool moves_apart(int64_t axis, array_double_2d operation);
+static bool rests_at_target(array_double_2d operation, array_double_2d known);
+static bool goes_apart(array_double_2d operation);
+static void choose_apart(double share, array_double_2d operation, array_double_3d limits, array_double_2d known);
+static double left_of_plan(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
+static bool goes_on(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
+static void retry_later(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
+static int64_t most_newton(void);
+static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known);
+static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known);
+static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work);
+static void decline_line(int64_t axis, array_double_2d work);
+static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static void write_conditions(double interval, array_double_2d work);
+static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work);
+static double place_left(double aim, int64_t axis, double interval, array_double_2d work);
+static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static void solve_barrier(int64_t first, int64_t last, array_double_2d work);
+static double join_changes(int64_t first, int64_t last, array_double_2d work);
+static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work);
+static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work);
+static double length_term(int64_t order, array_double_1d swing);
+static void write_square(array_double_1d swing, array_double_1d square);
+static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing);
+static void expand_swing(double gravity, array_double_1d swing, array_double_2d work);
+static void tighten_rope(array_double_1d swing);
+static void move_swing(double step, array_double_1d swing, array_double_2d work);
+static double swing_step(double longest, array_double_1d swing);
+static double resolved_step(double gravity, array_double_1d swing);
+static double stand_time(array_double_1d swing);
+static double sway_amplitude(double gravity, array_double_1d swing);
+static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work);
+static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work);
+static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets);
+static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static double swing_frequency(double gravity, array_double_1d swing);
+static void set_control_start(double interval, array_double_1d swing, array_double_2d work);
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control);
+static void begin_controlled(array_double_2d operation);
+static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work);
+static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull);
+static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work);
+static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void set_range(double centre, double radius, array_double_1d found);
+static void add_range(double share, array_double_1d a, array_double_1d found);
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void write_slope(int64_t axis, array_double_2d reach);
+static void write_stretch(array_double_2d reach);
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach);
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach);
+static void write_forces(array_double_1d crane, array_double_2d reach);
+static void lead_velocities(array_double_1d crane, array_double_2d reach);
+static void write_sway(array_double_2d reach);
+static bool write_demands(array_double_1d crane, array_double_2d work);
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work);
+static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work);
+static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work);
+static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack);
+static double used_share(void);
+static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work);
+static void set_way(int64_t axis, array_double_2d operation, array_double_2d work);
+static int64_t most_runs(void);
+static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static int64_t most_growths(void);
+static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void invert_flat(array_double_2d known, array_double_2d work);
+static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work);
+static void note_trips(array_double_2d operation);
+static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known);
+static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known);
+static void set_brakes(double share, array_double_1d swing, array_double_2d known);
+static bool is_inside(double value, int64_t demand, array_double_2d known);
+static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work);
+static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work);
+static double covered_time(array_double_2d operation);
+static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool is_calming(array_double_2d operation);
+static bool aims_elsewhere(array_double_2d operation);
+static void note_calming(array_double_2d operation);
+static double next_calm(array_double_2d operation);
+static bool wants_calm(array_double_2d operation);
+static void write_calm_aim(array_double_2d operation);
+static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static void put_aside(array_double_2d operation);
+static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void bring_back(array_double_2d operation);
+static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static bool is_hanging(array_double_1d command);
+static int64_t state_status(array_double_1d command);
+static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
+static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static void open_ways(array_double_2d operation, array_double_2d known);
 static bool are_ways_kept(array_double_2d operation);
 static void keep_ways(array_double_2d operation);
@@ -1002,11 +1014,13 @@ static double depth_towards(int64_t axis, double low, double high, double place,
 static void end_way(int64_t axis, double low, double high, array_double_2d operation);
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
+static bool tells_rope(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known);
 static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_blocked(array_double_2d operation);
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
+static bool is_nearly_full(int64_t attempt, array_double_2d operation);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
-static bool is_passed_over(int64_t attempt, int64_t failed, array_double_2d operation);
+static bool is_passed_over(int64_t attempt, int64_t failed, bool going, array_double_2d operation, array_double_2d known);
 static void put_off(int64_t attempt, int64_t failed, array_double_2d operation);
 static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work);
 static bool is_stop(array_double_1d aim);
@@ -10291,10 +10305,24 @@ return 0;
 return 1;
 }
 static bool is_slower(int64_t attempt) {
-if ((attempt == 1) || (attempt == 2)) {
+if ((attempt == 2) || (attempt == 3)) {
 return 1;
 }
-return (attempt == 7) || (attempt == 8);
+return (attempt == 8) || (attempt == 9);
+}
+static bool is_apart(int64_t attempt, array_double_2d operation) {
+bool slower, result;
+if (attempt == 1) {
+return 1;
+}
+slower = is_slower(attempt) && (attempt < 7);
+result = slower && (*cspan_at(&operation, 4, 9) > 0.5);
+return result;
+}
+static bool is_straight(int64_t attempt, array_double_2d operation) {
+bool result;
+result = (attempt < 7) && (!is_apart(attempt, operation));
+return result;
 }
 static double ease_of(int64_t attempt, int64_t place, array_double_2d operation) {
 double result;
@@ -10326,8 +10354,8 @@ static void stop_as_before(array_double_2d operation) {
 array_double_1d progress;
 double pace, steepness;
 progress = span_row(&operation, 4);
-pace = *cspan_at(&progress, 9);
-steepness = *cspan_at(&progress, 10);
+pace = *cspan_at(&progress, 10);
+steepness = *cspan_at(&progress, 11);
 if ((pace >= 1.0) || (pace <= *cspan_at(&progress, 6))) {
 return;
 }
@@ -10336,16 +10364,16 @@ return;
 }
 static double share_of(int64_t attempt, int64_t axis, array_double_2d operation) {
 double result;
-if (attempt >= 6) {
+if (attempt >= 7) {
 return 0.0;
 }
-if (attempt == 3) {
+if (attempt == 4) {
 return 0.25;
 }
-if ((attempt == 4) && (axis == 2)) {
+if ((attempt == 5) && (axis == 2)) {
 return 0.0;
 }
-if ((attempt == 5) && (axis < 2)) {
+if ((attempt == 6) && (axis < 2)) {
 return 0.0;
 }
 result = ease_of(attempt, 8, operation);
@@ -10358,15 +10386,15 @@ blocked = (failed == 4) || (failed == 5);
 if (is_slower(attempt) && blocked) {
 return 0;
 }
-if (attempt >= 6) {
+if (attempt >= 7) {
 return 1;
 }
 if (*cspan_at(&aim, 0) > 0.5) {
-return attempt <= 2;
+return attempt <= 3;
 }
 horizontal = fabs(*cspan_at(&aim, 1)) + fabs(*cspan_at(&aim, 1 + 1));
 vertical = fabs(*cspan_at(&aim, 1 + 2));
-if ((attempt == 4) || (attempt == 5)) {
+if ((attempt == 5) || (attempt == 6)) {
 return (horizontal > 0.0) && (vertical > 0.0);
 }
 return horizontal + vertical > 0.0;
@@ -10387,7 +10415,7 @@ int64_t axis, i;
 pace = ease_of(attempt, 6, operation);
 steepness = ease_of(attempt, 7, operation);
 scale = 1.0;
-if ((*cspan_at(&operation, 1, 0) > 0.5) && (attempt < 6)) {
+if ((*cspan_at(&operation, 1, 0) > 0.5) && is_straight(attempt, operation)) {
 scale = *cspan_at(&operation, 1, 4) * ease_of(attempt, 8, operation);
 }
 for (axis = 0; axis < 3; axis += 1) {
@@ -10406,250 +10434,6 @@ given = *cspan_at(&limits, 0, axis, 2) * *cspan_at(&limits, 0, axis, 2) / *cspan
 }
 }
 set_lower_of(1, operation, limits, known);
-}
-static int64_t most_newton(void) {
-return 60;
-}
-static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known) {
-int64_t side;
-double bound;
-side = 0;
-if (sense < 0.0) {
-side = 1;
-}
-bound = share * bound_magnitude(demand, side, span_row(&known, 2));
-if (bound == 0.0) {
-bound = fallback;
-}
-return bound;
-}
-static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known) {
-double result;
-result = interval * control_bound(6 + axis, sense, share, 0.0, known);
-return result;
-}
-static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work) {
-double most, result;
-most = most_change(axis, 1.0, share, interval, known);
-most = most + most_change(axis, -1.0, share, interval, known);
-most = fabs(*cspan_at(&work, 140 + axis, 1)) + 102 * most;
-result = control_bound(3 + axis, sense, share, most, known);
-return result;
-}
-static void decline_line(int64_t axis, array_double_2d work) {
-array_double_1d points;
-int64_t begin, last, i;
-points = span_row(&work, 140 + axis);
-begin = 3 - 1;
-last = 99;
-for (i = 3; i < 102; i += 1) {
-*cspan_at(&points, i) = *cspan_at(&points, begin) * span_max_int(last - i, 0) / (last - begin);
-}
-}
-static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
-array_double_1d points;
-double fastest, slowest, rise, fall;
-int64_t i;
-points = span_row(&work, 140 + axis);
-fastest = most_speed(axis, 1.0, share, interval, known, work);
-slowest = most_speed(axis, -1.0, share, interval, known, work);
-rise = most_change(axis, 1.0, share, interval, known);
-fall = most_change(axis, -1.0, share, interval, known);
-for (i = 3; i < 99 + 1; i += 1) {
-if (!((-slowest < *cspan_at(&points, i)) && (*cspan_at(&points, i) < fastest))) {
-return 0;
-}
-if (!((-fall < *cspan_at(&points, i) - *cspan_at(&points, i - 1)) && (*cspan_at(&points, i) - *cspan_at(&points, i - 1) < rise))) {
-return 0;
-}
-}
-return 1;
-}
-static void write_conditions(double interval, array_double_2d work) {
-int64_t i, j;
-array_double_1d moment;
-for (i = 3; i < 99; i += 1) {
-for (j = 0; j < 2; j += 1) {
-moment = span_row(&work, 143 + j);
-*cspan_at(&work, 145 + j, i) = *cspan_at(&moment, i - 1) - *cspan_at(&moment, i);
-}
-*cspan_at(&work, 145 + 2, i) = interval;
-}
-}
-static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work) {
-int64_t i;
-double change, left;
-left = aim;
-for (i = 0; i < 102 - 1; i += 1) {
-change = *cspan_at(&work, 140 + axis, i + 1) - *cspan_at(&work, 140 + axis, i);
-left = left - *cspan_at(&work, 143 + j, i) * change;
-}
-return left;
-}
-static double place_left(double aim, int64_t axis, double interval, array_double_2d work) {
-array_double_1d points;
-int64_t i;
-double left;
-points = span_row(&work, 140 + axis);
-left = aim - interval * (*cspan_at(&points, 0) + 12.0 * *cspan_at(&points, 1) + 23.0 * *cspan_at(&points, 2)) / 24.0;
-for (i = 3; i < 99; i += 1) {
-left = left - interval * *cspan_at(&points, i);
-}
-return left;
-}
-static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
-array_double_1d points;
-double fastest, slowest, rise, fall, slope, curve, over, under, slope_behind, curve_behind;
-int64_t i;
-points = span_row(&work, 140 + axis);
-fastest = most_speed(axis, 1.0, share, interval, known, work);
-slowest = most_speed(axis, -1.0, share, interval, known, work);
-rise = most_change(axis, 1.0, share, interval, known);
-fall = most_change(axis, -1.0, share, interval, known);
-slope = 0.0;
-curve = 0.0;
-for (i = 3 - 1; i < 99; i += 1) {
-over = 1.0 / (rise - *cspan_at(&points, i + 1) + *cspan_at(&points, i));
-under = 1.0 / (fall + *cspan_at(&points, i + 1) - *cspan_at(&points, i));
-slope_behind = over - under;
-curve_behind = over * over + under * under;
-over = 1.0 / (fastest - *cspan_at(&points, i));
-under = 1.0 / (slowest + *cspan_at(&points, i));
-*cspan_at(&work, 151, i) = slope_behind - slope - over + under;
-*cspan_at(&work, 148, i) = curve + curve_behind + over * over + under * under;
-*cspan_at(&work, 149, i) = -curve_behind;
-slope = slope_behind;
-curve = curve_behind;
-}
-}
-static void solve_barrier(int64_t first, int64_t last, array_double_2d work) {
-array_double_2d change;
-int64_t i, j, k;
-double ratio, coupling;
-change = span_rows(&work, 151, 155);
-for (i = 3; i < 99; i += 1) {
-for (j = first; j < last; j += 1) {
-*cspan_at(&change, 1 + j, i) = *cspan_at(&work, 145 + j, i);
-}
-}
-for (i = 3 + 1; i < 99; i += 1) {
-ratio = *cspan_at(&work, 149, i - 1) / *cspan_at(&work, 148, i - 1);
-*cspan_at(&work, 148, i) = *cspan_at(&work, 148, i) - ratio * *cspan_at(&work, 149, i - 1);
-*cspan_at(&change, 0, i) = *cspan_at(&change, 0, i) - ratio * *cspan_at(&change, 0, i - 1);
-for (j = first; j < last; j += 1) {
-*cspan_at(&change, 1 + j, i) = *cspan_at(&change, 1 + j, i) - ratio * *cspan_at(&change, 1 + j, i - 1);
-}
-}
-for (k = 3; k < 99; k += 1) {
-i = 99 + 3 - 1 - k;
-coupling = *cspan_at(&work, 149, i);
-if (k == 3) {
-coupling = 0.0;
-}
-*cspan_at(&change, 0, i) = (*cspan_at(&change, 0, i) - coupling * *cspan_at(&change, 0, i + 1)) / *cspan_at(&work, 148, i);
-for (j = first; j < last; j += 1) {
-*cspan_at(&change, 1 + j, i) = (*cspan_at(&change, 1 + j, i) - coupling * *cspan_at(&change, 1 + j, i + 1)) / *cspan_at(&work, 148, i);
-}
-}
-}
-static double join_changes(int64_t first, int64_t last, array_double_2d work) {
-array_double_2d change, schur, lack;
-int64_t j, k, i;
-array_double_1d slopes;
-double largest;
-change = span_rows(&work, 151, 155);
-schur = span_rows(&work, 155, 158);
-lack = span_rows(&work, 158, 161);
-for (j = first; j < last; j += 1) {
-slopes = span_row(&work, 145 + j);
-for (k = first; k < last; k += 1) {
-*cspan_at(&schur, j - first, k - first) = 0.0;
-}
-for (i = 3; i < 99; i += 1) {
-*cspan_at(&lack, j - first, 0) = *cspan_at(&lack, j - first, 0) - *cspan_at(&slopes, i) * *cspan_at(&change, 0, i);
-for (k = first; k < last; k += 1) {
-*cspan_at(&schur, j - first, k - first) = *cspan_at(&schur, j - first, k - first) + *cspan_at(&slopes, i) * *cspan_at(&change, 1 + k, i);
-}
-}
-}
-matrix_solve(last - first, 1, schur, lack);
-largest = 0.0;
-for (i = 3; i < 99; i += 1) {
-for (j = first; j < last; j += 1) {
-*cspan_at(&change, 0, i) = *cspan_at(&change, 0, i) + *cspan_at(&lack, j - first, 0) * *cspan_at(&change, 1 + j, i);
-}
-if (!(fabs(*cspan_at(&change, 0, i)) < 1e+300)) {
-return 1e+300;
-}
-largest = span_max(largest, fabs(*cspan_at(&change, 0, i)));
-}
-for (i = 0; i < 3; i += 1) {
-*cspan_at(&change, 0, i) = 0.0;
-*cspan_at(&change, 0, 99 + i) = 0.0;
-}
-return largest;
-}
-static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
-array_double_1d points, change;
-double fastest, slowest, rise, fall, inverse, moved, step;
-int64_t i;
-points = span_row(&work, 140 + axis);
-change = span_row(&work, 151);
-fastest = most_speed(axis, 1.0, share, interval, known, work);
-slowest = most_speed(axis, -1.0, share, interval, known, work);
-rise = most_change(axis, 1.0, share, interval, known);
-fall = most_change(axis, -1.0, share, interval, known);
-inverse = 0.0;
-for (i = 3 - 1; i < 99; i += 1) {
-moved = *cspan_at(&change, i + 1) - *cspan_at(&change, i);
-step = *cspan_at(&points, i + 1) - *cspan_at(&points, i);
-inverse = span_max(inverse, moved / (rise - step));
-inverse = span_max(inverse, (-moved) / (fall + step));
-inverse = span_max(inverse, *cspan_at(&change, i) / (fastest - *cspan_at(&points, i)));
-inverse = span_max(inverse, (-*cspan_at(&change, i)) / (slowest + *cspan_at(&points, i)));
-}
-if (inverse > 0.0) {
-return 1.0 / inverse;
-}
-return 1e+300;
-}
-static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work) {
-int64_t Dummy_0000, j, i;
-double largest, step;
-bool met;
-decline_line(axis, work);
-if (!is_inside_bounds(axis, share, interval, known, work)) {
-return 0;
-}
-write_conditions(interval, work);
-met = 0;
-for (Dummy_0000 = 0; Dummy_0000 < most_newton(); Dummy_0000 += 1) {
-write_barrier(axis, share, interval, known, work);
-solve_barrier(first, last, work);
-for (j = first; j < last; j += 1) {
-if (j < 2) {
-*cspan_at(&work, 158 + j - first, 0) = swing_left(j, *cspan_at(&aims, j), axis, work);
-}
-else {
-*cspan_at(&work, 158 + j - first, 0) = place_left(*cspan_at(&aims, j), axis, interval, work);
-}
-}
-largest = join_changes(first, last, work);
-step = span_min(0.9 * way_to_bounds(axis, share, interval, known, work), 1.0);
-if ((!(step > 0.0001)) || (!(largest < 1e+300))) {
-return 0;
-}
-for (i = 3; i < 99; i += 1) {
-*cspan_at(&work, 140 + axis, i) = *cspan_at(&work, 140 + axis, i) + step * *cspan_at(&work, 151, i);
-}
-if (step == 1.0) {
-met = 1;
-if (largest <= 1e-09 * most_change(axis, 1.0, share, interval, known)) {
-return 1;
-}
-}
-}
-return met;
 }
 static double inner_rise(double rise, int64_t level, array_double_1d axis) {
 double result;
@@ -11384,730 +11168,6 @@ target = target + 1;
 *cspan_at(&joined_offsets, offsets.shape[0] - 1) = target;
 return target;
 }
-static double length_term(int64_t order, array_double_1d swing) {
-double result;
-if (order == 0) {
-result = *cspan_at(&swing, 2 + 2);
-return result;
-}
-if (order == 1) {
-result = *cspan_at(&swing, 5 + 2);
-return result;
-}
-if (order == 2) {
-result = 0.5 * *cspan_at(&swing, 8 + 2);
-return result;
-}
-if (order == 3) {
-result = *cspan_at(&swing, 11 + 2) / 6.0;
-return result;
-}
-result = *cspan_at(&swing, 14 + 2) / 24.0;
-return result;
-}
-static void write_square(array_double_1d swing, array_double_1d square) {
-int64_t i, j;
-for (i = 0; i < 14; i += 1) {
-*cspan_at(&square, i) = 0.0;
-}
-for (i = 0; i < 4 + 1; i += 1) {
-for (j = 0; j < 4 + 1; j += 1) {
-*cspan_at(&square, i + j) = *cspan_at(&square, i + j) + length_term(i, swing) * length_term(j, swing);
-}
-}
-}
-static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing) {
-double found;
-found = 0.0;
-if (order == 0) {
-found = gravity;
-if (axis < 2) {
-found = *cspan_at(&swing, 8 + axis);
-}
-}
-else if ((order == 1) && (axis < 2)) {
-found = *cspan_at(&swing, 11 + axis);
-}
-else if ((order == 2) && (axis < 2)) {
-found = 0.5 * *cspan_at(&swing, 14 + axis);
-}
-return found;
-}
-static void expand_swing(double gravity, array_double_1d swing, array_double_2d work) {
-array_double_2d series;
-array_double_1d square, pull;
-int64_t axis, k, i;
-double found, product, value;
-series = span_rows(&work, 133, 136);
-square = span_row(&work, 137);
-write_square(swing, square);
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&series, axis, 0) = *cspan_at(&swing, 20 + axis);
-*cspan_at(&series, axis, 1) = *cspan_at(&swing, 23 + axis);
-}
-pull = span_row(&work, 136);
-for (k = 0; k < 14 - 2; k += 1) {
-found = (-0.5) * (k + 1) * (k + 2) * *cspan_at(&square, k + 2);
-for (axis = 0; axis < 3; axis += 1) {
-for (i = 0; i < span_min_int(k, 2) + 1; i += 1) {
-found = found - suspension_pull(axis, i, gravity, swing) * *cspan_at(&series, axis, k - i);
-}
-for (i = 0; i < k + 1; i += 1) {
-product = *cspan_at(&series, axis, i + 1) * *cspan_at(&series, axis, k - i + 1);
-found = found + (i + 1) * (k - i + 1) * product;
-}
-}
-for (i = 0; i < k; i += 1) {
-found = found - *cspan_at(&pull, i) * *cspan_at(&square, k - i);
-}
-*cspan_at(&pull, k) = found / *cspan_at(&square, 0);
-for (axis = 0; axis < 3; axis += 1) {
-value = -suspension_pull(axis, k, gravity, swing);
-for (i = 0; i < k + 1; i += 1) {
-value = value - *cspan_at(&pull, i) * *cspan_at(&series, axis, k - i);
-}
-*cspan_at(&series, axis, k + 2) = value / ((k + 1) * (k + 2));
-}
-}
-}
-static void tighten_rope(array_double_1d swing) {
-double length, square, ratio, stray, along;
-int64_t axis;
-length = *cspan_at(&swing, 2 + 2);
-square = 0.0;
-for (axis = 0; axis < 3; axis += 1) {
-square = square + *cspan_at(&swing, 20 + axis) * *cspan_at(&swing, 20 + axis);
-}
-ratio = length / sqrt(square);
-stray = (-length) * *cspan_at(&swing, 5 + 2);
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&swing, 20 + axis) = *cspan_at(&swing, 20 + axis) * ratio;
-stray = stray + *cspan_at(&swing, 20 + axis) * *cspan_at(&swing, 23 + axis);
-}
-for (axis = 0; axis < 3; axis += 1) {
-along = stray * *cspan_at(&swing, 20 + axis) / (length * length);
-*cspan_at(&swing, 23 + axis) = *cspan_at(&swing, 23 + axis) - along;
-}
-}
-static void move_swing(double step, array_double_1d swing, array_double_2d work) {
-int64_t axis, j, i;
-array_double_1d series;
-double place, rate, snap, jerk, acceleration, mean;
-for (axis = 0; axis < 3; axis += 1) {
-series = span_row(&work, 133 + axis);
-place = 0.0;
-rate = 0.0;
-for (j = 0; j < 14; j += 1) {
-i = 14 - 1 - j;
-rate = rate * step + place;
-place = place * step + *cspan_at(&series, i);
-}
-*cspan_at(&swing, 20 + axis) = place;
-*cspan_at(&swing, 23 + axis) = rate;
-snap = *cspan_at(&swing, 14 + axis);
-jerk = *cspan_at(&swing, 11 + axis);
-acceleration = *cspan_at(&swing, 8 + axis);
-mean = *cspan_at(&swing, 5 + axis) + (0.5 * acceleration + (jerk / 6.0 + snap * step / 24.0) * step) * step;
-*cspan_at(&swing, 2 + axis) = *cspan_at(&swing, 2 + axis) + mean * step;
-*cspan_at(&swing, 5 + axis) = *cspan_at(&swing, 5 + axis) + (acceleration + (0.5 * jerk + snap * step / 6.0) * step) * step;
-*cspan_at(&swing, 8 + axis) = acceleration + (jerk + 0.5 * snap * step) * step;
-*cspan_at(&swing, 11 + axis) = jerk + snap * step;
-*cspan_at(&swing, 17 + axis) = span_max(*cspan_at(&swing, 17 + axis) - step, 0.0);
-if (*cspan_at(&swing, 17 + axis) == 0.0) {
-*cspan_at(&swing, 5 + axis) = 0.0;
-*cspan_at(&swing, 8 + axis) = 0.0;
-*cspan_at(&swing, 11 + axis) = 0.0;
-*cspan_at(&swing, 14 + axis) = 0.0;
-}
-}
-tighten_rope(swing);
-}
-static double swing_step(double longest, array_double_1d swing) {
-int64_t axis;
-double left, found;
-found = longest;
-for (axis = 0; axis < 3; axis += 1) {
-left = *cspan_at(&swing, 17 + axis);
-if ((0.0 < left) && (left < found)) {
-found = left;
-}
-}
-return found;
-}
-static double resolved_step(double gravity, array_double_1d swing) {
-double result;
-result = 0.05 * sqrt(*cspan_at(&swing, 2 + 2) / gravity);
-return result;
-}
-static double stand_time(array_double_1d swing) {
-int64_t axis;
-double latest;
-latest = 0.0;
-for (axis = 0; axis < 3; axis += 1) {
-latest = span_max(latest, *cspan_at(&swing, 17 + axis));
-}
-return latest;
-}
-static double sway_amplitude(double gravity, array_double_1d swing) {
-double length, x, y, low, squares, energy, moment, least, high, middle;
-int64_t axis, Dummy_0000;
-length = *cspan_at(&swing, 2 + 2);
-x = *cspan_at(&swing, 20);
-y = *cspan_at(&swing, 20 + 1);
-low = (x * x + y * y) / (length * (length - *cspan_at(&swing, 20 + 2)));
-squares = 0.0;
-for (axis = 0; axis < 3; axis += 1) {
-squares = squares + *cspan_at(&swing, 23 + axis) * *cspan_at(&swing, 23 + axis);
-}
-energy = low + squares / (2.0 * gravity * length);
-moment = x * *cspan_at(&swing, 23 + 1) - y * *cspan_at(&swing, 23);
-least = moment * moment / (2.0 * gravity * length * length * length);
-high = span_min(energy, 2.0);
-for (Dummy_0000 = 0; Dummy_0000 < 60; Dummy_0000 += 1) {
-middle = 0.5 * (low + high);
-if (middle * (2.0 - middle) * (energy - middle) >= least) {
-low = middle;
-}
-else {
-high = middle;
-}
-}
-return 2.0 * atan2(sqrt(low), sqrt(span_max(2.0 - low, 0.0)));
-}
-static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work) {
-double left, longest, step;
-left = duration;
-longest = span_max(resolved_step(gravity, swing), duration / 20000);
-while(left > 0.0) {
-step = span_min(swing_step(longest, swing), left);
-expand_swing(gravity, swing, work);
-move_swing(step, swing, work);
-left = left - step;
-}
-}
-static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work) {
-int64_t width, i, j, k;
-width = coefficients.shape[2];
-for (i = 0; i < width; i += 1) {
-*cspan_at(&coefficients, 4, row, i) = *cspan_at(&work, 133 + axis, i);
-}
-if (axis < 2) {
-*cspan_at(&coefficients, 4, row, 0) = *cspan_at(&coefficients, 4, row, 0) + *cspan_at(&swing, 2 + axis);
-*cspan_at(&coefficients, 4, row, 1) = *cspan_at(&coefficients, 4, row, 1) + *cspan_at(&swing, 5 + axis);
-*cspan_at(&coefficients, 4, row, 2) = *cspan_at(&coefficients, 4, row, 2) + 0.5 * *cspan_at(&swing, 8 + axis);
-*cspan_at(&coefficients, 4, row, 3) = *cspan_at(&coefficients, 4, row, 3) + *cspan_at(&swing, 11 + axis) / 6.0;
-*cspan_at(&coefficients, 4, row, 4) = *cspan_at(&coefficients, 4, row, 4) + *cspan_at(&swing, 14 + axis) / 24.0;
-}
-for (i = 0; i < width - 1; i += 1) {
-for (j = 0; j < width - 1 - i; j += 1) {
-k = width - 2 - j;
-*cspan_at(&coefficients, 4, row, k) = *cspan_at(&coefficients, 4, row, k) - before * *cspan_at(&coefficients, 4, row, k + 1);
-}
-}
-}
-static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets) {
-int64_t axis, i;
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&offsets, slot * 4 + axis) = axis * count;
-for (i = 0; i < count; i += 1) {
-copy_piece(span_matrix(&timing, 4), span_matrix(&coefficients, 4), axis * rows + i, span_matrix(&timing, slot), span_matrix(&coefficients, slot), axis * count + i);
-}
-}
-*cspan_at(&offsets, slot * 4 + 3) = 3 * count;
-}
-static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-double gravity, longest, time, step;
-array_double_1d swing, ahead;
-int64_t i, rows, count, axis;
-gravity = *cspan_at(&known, 0, 3);
-swing = span_row(&operation, 32);
-ahead = span_row(&operation, 33);
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&ahead, i) = *cspan_at(&swing, i);
-}
-longest = span_max(resolved_step(gravity, swing), least / 300);
-rows = 300 + 100;
-time = 0.0;
-count = 0;
-while((count < rows) && ((time < least) || (stand_time(ahead) > 0.0) || (count < 100))) {
-step = swing_step(longest, ahead);
-expand_swing(gravity, ahead, work);
-move_swing(0.5 * step, ahead, work);
-expand_swing(gravity, ahead, work);
-for (axis = 0; axis < 3; axis += 1) {
-write_swing_piece(axis, axis * rows + count, 0.5 * step, ahead, coefficients, work);
-*cspan_at(&timing, 4, axis * rows + count, 0) = time;
-*cspan_at(&timing, 4, axis * rows + count, 1) = step;
-}
-move_swing(0.5 * step, ahead, work);
-time = time + step;
-count = count + 1;
-}
-gather_axes(rows, count, 0, timing, coefficients, offsets);
-*cspan_at(&swing, 1) = time;
-}
-static double swing_frequency(double gravity, array_double_1d swing) {
-double result;
-result = sqrt(gravity / *cspan_at(&swing, 2 + 2));
-return result;
-}
-static void set_control_start(double interval, array_double_1d swing, array_double_2d work) {
-int64_t axis, i;
-double change, bend, since;
-for (axis = 0; axis < 3; axis += 1) {
-change = interval * *cspan_at(&swing, 8 + axis);
-bend = interval * interval * *cspan_at(&swing, 11 + axis);
-for (i = 0; i < 3; i += 1) {
-since = i - 1.0;
-*cspan_at(&work, 140 + axis, i) = *cspan_at(&swing, 5 + axis) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
-}
-}
-}
-static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control) {
-int64_t axis, last;
-array_double_1d points;
-double before, here, behind;
-for (axis = 0; axis < 3; axis += 1) {
-points = span_row(&control, axis);
-last = k + 3;
-before = (*cspan_at(&points, k + 1) - *cspan_at(&points, k)) / interval;
-here = (*cspan_at(&points, k + 2) - *cspan_at(&points, k + 1)) / interval;
-behind = (*cspan_at(&points, last) - *cspan_at(&points, k + 2)) / interval;
-*cspan_at(&ahead, 5 + axis) = (*cspan_at(&points, k) + 4.0 * *cspan_at(&points, k + 1) + *cspan_at(&points, k + 2)) / 6.0;
-*cspan_at(&ahead, 8 + axis) = 0.5 * (before + here);
-*cspan_at(&ahead, 11 + axis) = (here - before) / interval;
-*cspan_at(&ahead, 14 + axis) = (behind - 2.0 * here + before) / (interval * interval);
-}
-}
-static void begin_controlled(array_double_2d operation) {
-int64_t i, axis;
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&operation, 33, i) = *cspan_at(&operation, 32, i);
-}
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&operation, 33, 17 + axis) = 1e+300;
-}
-}
-static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work) {
-array_double_1d swing, points;
-double length, shortest, inner, phase;
-int64_t k, last;
-swing = span_row(&operation, 32);
-length = *cspan_at(&swing, 2 + 2);
-shortest = length;
-for (k = 0; k < 99; k += 1) {
-points = span_row(&work, 140 + 2);
-inner = *cspan_at(&points, k + 1) + *cspan_at(&points, k + 2);
-last = k + 3;
-length = length + interval * (*cspan_at(&points, k) + 11.0 * inner + *cspan_at(&points, last)) / 24.0;
-shortest = span_min(shortest, length);
-}
-if (!(shortest > 0.0)) {
-shortest = *cspan_at(&swing, 2 + 2);
-}
-phase = interval * sqrt(gravity / shortest);
-if (!(phase < longest * 1000)) {
-return 1000;
-}
-return 1 + (int64_t)(phase / longest);
-}
-static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull) {
-int64_t k, i, j;
-double value, whole, late, later, place, rate;
-for (k = 0; k < 14 - 2; k += 1) {
-value = 0.0;
-for (i = 0; i < k + 1; i += 1) {
-value = value - *cspan_at(&pull, i) * *cspan_at(&free, k - i);
-}
-*cspan_at(&free, k + 2) = value / ((k + 1) * (k + 2));
-}
-whole = 0.0;
-late = 0.0;
-later = 0.0;
-place = 0.0;
-rate = 0.0;
-for (j = 0; j < 14; j += 1) {
-i = 14 - 1 - j;
-whole = whole * step + *cspan_at(&free, i) / (i + 1);
-late = late * step + *cspan_at(&free, i) / (i + 2);
-later = later * step + *cspan_at(&free, i) / (i + 3);
-rate = rate * step + place;
-place = place * step + *cspan_at(&free, i);
-}
-whole = whole * step;
-late = late * step * step;
-later = later * step * step * step;
-later = (since * since * whole + 2.0 * since * late + later) / (interval * interval);
-late = (since * whole + late) / interval;
-*cspan_at(&moment, knot) = *cspan_at(&moment, knot) + (0.5 * whole - late + 0.5 * later) / interval;
-*cspan_at(&moment, knot + 1) = *cspan_at(&moment, knot + 1) + (0.5 * whole + late - later) / interval;
-*cspan_at(&moment, knot + 2) = *cspan_at(&moment, knot + 2) + 0.5 * later / interval;
-*cspan_at(&free, 0) = place;
-*cspan_at(&free, 1) = rate;
-}
-static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work) {
-double gravity, step, frequency, found, away, rate, result;
-array_double_1d ahead;
-int64_t j, k, parts, i, axis;
-gravity = *cspan_at(&known, 0, 3);
-ahead = span_row(&operation, 33);
-begin_controlled(operation);
-for (j = 0; j < 2; j += 1) {
-for (k = 0; k < 102; k += 1) {
-*cspan_at(&work, 143 + j, k) = 0.0;
-}
-*cspan_at(&work, 138 + j, 0) = 1.0 - j;
-*cspan_at(&work, 138 + j, 1) = j * swing_frequency(gravity, ahead);
-}
-parts = interval_parts(0.3, interval, operation, gravity, work);
-step = interval / parts;
-for (k = 0; k < 99; k += 1) {
-set_knot(k, interval, ahead, span_rows(&work, 140, 143));
-for (i = 0; i < parts; i += 1) {
-expand_swing(gravity, ahead, work);
-if (!(*cspan_at(&work, 136, 0) > 0.0)) {
-return 1e+300;
-}
-for (j = 0; j < 2; j += 1) {
-add_moments(k, i * step, step, interval, span_row(&work, 143 + j), span_row(&work, 138 + j), span_row(&work, 136));
-}
-move_swing(step, ahead, work);
-}
-}
-frequency = swing_frequency(gravity, ahead);
-found = 0.0;
-for (axis = 0; axis < 2; axis += 1) {
-away = *cspan_at(&ahead, 20 + axis);
-rate = *cspan_at(&ahead, 23 + axis) / frequency;
-found = found + away * away + rate * rate;
-}
-result = sqrt(found) / *cspan_at(&ahead, 2 + 2);
-return result;
-}
-static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work) {
-double gravity;
-bool result;
-gravity = *cspan_at(&known, 0, 3);
-result = interval_parts(0.2, interval, operation, gravity, work) <= 4;
-return result;
-}
-static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-double gravity, step;
-array_double_1d ahead;
-int64_t parts, rows, count, k, i, axis, row;
-gravity = *cspan_at(&known, 0, 3);
-ahead = span_row(&operation, 33);
-parts = span_min_int(2 + interval_parts(0.05, interval, operation, gravity, work), 4);
-begin_controlled(operation);
-step = interval / parts;
-rows = 99 * 4;
-count = 0;
-for (k = 0; k < 99; k += 1) {
-set_knot(k, interval, ahead, span_rows(&work, 140, 143));
-for (i = 0; i < parts; i += 1) {
-expand_swing(gravity, ahead, work);
-move_swing(0.5 * step, ahead, work);
-expand_swing(gravity, ahead, work);
-for (axis = 0; axis < 3; axis += 1) {
-row = axis * rows + count;
-write_swing_piece(axis, row, 0.5 * step, ahead, coefficients, work);
-*cspan_at(&timing, 4, row, 0) = k * interval + i * step;
-*cspan_at(&timing, 4, row, 1) = step;
-}
-move_swing(0.5 * step, ahead, work);
-count = count + 1;
-}
-}
-gather_axes(rows, count, 4, timing, coefficients, offsets);
-}
-static void set_range(double centre, double radius, array_double_1d found) {
-*cspan_at(&found, 0) = centre;
-*cspan_at(&found, 1) = radius;
-}
-static void add_range(double share, array_double_1d a, array_double_1d found) {
-*cspan_at(&found, 0) = *cspan_at(&found, 0) + share * *cspan_at(&a, 0);
-*cspan_at(&found, 1) = *cspan_at(&found, 1) + fabs(share) * *cspan_at(&a, 1);
-}
-static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found) {
-double radius;
-radius = fabs(*cspan_at(&a, 0)) * *cspan_at(&b, 1);
-radius = radius + *cspan_at(&a, 1) * (fabs(*cspan_at(&b, 0)) + *cspan_at(&b, 1));
-*cspan_at(&found, 0) = *cspan_at(&found, 0) + share * *cspan_at(&a, 0) * *cspan_at(&b, 0);
-*cspan_at(&found, 1) = *cspan_at(&found, 1) + fabs(share) * radius;
-}
-static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found) {
-double quotient, least;
-quotient = *cspan_at(&a, 0) / *cspan_at(&b, 0);
-least = *cspan_at(&b, 0) - *cspan_at(&b, 1);
-*cspan_at(&found, 1) = (*cspan_at(&a, 1) + fabs(quotient) * *cspan_at(&b, 1)) / least;
-*cspan_at(&found, 0) = quotient;
-}
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found) {
-double total, value;
-int64_t used, j, i, k;
-total = 0.0;
-value = 0.0;
-used = radius > 0.0 ? width : order + 1;
-for (j = 0; j < used - order; j += 1) {
-i = used - 1 - j;
-value = *cspan_at(&piece, i);
-for (k = 0; k < order; k += 1) {
-value = value * (i - k);
-}
-if (i > order) {
-total = (total + fabs(value)) * radius;
-}
-}
-set_range(value, total, found);
-}
-static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-int64_t width, axis, last, row, i, order, place;
-double middle, radius, local;
-array_double_1d piece;
-width = coefficients.shape[1];
-middle = 0.5 * (begin + end);
-radius = 0.5 * (end - begin);
-piece = span_row(&work, 88);
-for (axis = 0; axis < 3; axis += 1) {
-last = *cspan_at(&offsets, axis + 1);
-row = find_piece(middle, timing, *cspan_at(&offsets, axis), last);
-for (i = 0; i < width; i += 1) {
-*cspan_at(&piece, i) = *cspan_at(&coefficients, row, i);
-}
-local = middle - *cspan_at(&timing, row, 0);
-if (local > *cspan_at(&timing, row, 1)) {
-*cspan_at(&piece, 0) = evaluate_piece(coefficients, row, width, *cspan_at(&timing, row, 1), 0);
-for (i = 1; i < width; i += 1) {
-*cspan_at(&piece, i) = 0.0;
-}
-}
-else {
-polynomial_shift(piece, local, width);
-}
-for (order = 0; order < 5; order += 1) {
-place = 89 + 0 + 3 * order + axis;
-write_derivative(order, width, radius, piece, span_row(&work, place));
-}
-}
-}
-static void write_slope(int64_t axis, array_double_2d reach) {
-array_double_1d slope, rate, pull, pull_rate, total;
-slope = span_row(&reach, 16 + axis);
-rate = span_row(&reach, 18 + axis);
-pull = span_row(&reach, 15);
-pull_rate = span_row(&reach, 9 + 2);
-total = span_row(&reach, 26);
-divide_range(span_row(&reach, 6 + axis), pull, slope);
-set_range(0.0, 0.0, total);
-add_range(1.0, span_row(&reach, 9 + axis), total);
-add_range_product(-1.0, slope, pull_rate, total);
-divide_range(total, pull, rate);
-set_range(0.0, 0.0, total);
-add_range(1.0, span_row(&reach, 12 + axis), total);
-add_range_product(-2.0, rate, pull_rate, total);
-add_range_product(-1.0, slope, span_row(&reach, 12 + 2), total);
-divide_range(total, pull, span_row(&reach, 20 + axis));
-}
-static void write_stretch(array_double_2d reach) {
-array_double_1d total, stretch, rate, slope_rate;
-int64_t axis;
-double root;
-total = span_row(&reach, 26);
-stretch = span_row(&reach, 22);
-rate = span_row(&reach, 23);
-set_range(1.0, 0.0, total);
-for (axis = 0; axis < 2; axis += 1) {
-add_range_product(1.0, span_row(&reach, 16 + axis), span_row(&reach, 16 + axis), total);
-}
-root = sqrt(*cspan_at(&total, 0));
-set_range(root, *cspan_at(&total, 1) / (1.0 + root), stretch);
-set_range(0.0, 0.0, total);
-for (axis = 0; axis < 2; axis += 1) {
-slope_rate = span_row(&reach, 18 + axis);
-add_range_product(1.0, span_row(&reach, 16 + axis), slope_rate, total);
-}
-divide_range(total, stretch, rate);
-set_range(0.0, 0.0, total);
-for (axis = 0; axis < 2; axis += 1) {
-slope_rate = span_row(&reach, 18 + axis);
-add_range_product(1.0, slope_rate, slope_rate, total);
-add_range_product(1.0, span_row(&reach, 16 + axis), span_row(&reach, 20 + axis), total);
-}
-add_range_product(-1.0, rate, rate, total);
-divide_range(total, stretch, span_row(&reach, 24));
-}
-static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach) {
-array_double_1d place, velocity, acceleration;
-place = span_row(&reach, 27 + 12 + drive);
-velocity = span_row(&reach, 27 + 3 + drive);
-acceleration = span_row(&reach, 27 + 6 + drive);
-set_range(0.0, 0.0, place);
-add_range(ahead, span_row(&reach, 0 + drive), place);
-add_range_product(-1.0, span_row(&reach, 0 + 2), factor, place);
-set_range(0.0, 0.0, velocity);
-add_range(ahead, span_row(&reach, 3 + drive), velocity);
-add_range_product(-1.0, span_row(&reach, 3 + 2), factor, velocity);
-add_range_product(-1.0, span_row(&reach, 0 + 2), rate, velocity);
-set_range(0.0, 0.0, acceleration);
-add_range(ahead, span_row(&reach, 6 + drive), acceleration);
-add_range_product(-1.0, span_row(&reach, 6 + 2), factor, acceleration);
-add_range_product(-2.0, span_row(&reach, 3 + 2), rate, acceleration);
-add_range_product(-1.0, span_row(&reach, 0 + 2), change, acceleration);
-}
-static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach) {
-array_double_1d velocity;
-double most, dry, smooth;
-velocity = span_row(&reach, 27 + 3 + drive);
-most = fabs(*cspan_at(&velocity, 0)) + *cspan_at(&velocity, 1);
-dry = span_max(*cspan_at(&crane, 10 + drive), *cspan_at(&crane, 7 + drive));
-smooth = *cspan_at(&crane, 4 + drive) + *cspan_at(&crane, 13 + drive) * most;
-set_range(0.0, dry + smooth * most, span_row(&reach, 25));
-add_range(1.0, span_row(&reach, 25), span_row(&reach, 27 + 0 + drive));
-}
-static void write_forces(array_double_1d crane, array_double_2d reach) {
-double payload;
-int64_t drive;
-array_double_1d force, acceleration, power;
-payload = *cspan_at(&crane, 2);
-for (drive = 0; drive < 2; drive += 1) {
-force = span_row(&reach, 27 + 0 + drive);
-set_range(0.0, 0.0, force);
-acceleration = span_row(&reach, 27 + 6 + drive);
-add_range(carriage_mass(crane, drive), acceleration, force);
-add_range(payload, span_row(&reach, 6 + drive), force);
-}
-force = span_row(&reach, 27 + 0 + 2);
-set_range(0.0, 0.0, force);
-add_range_product(-payload, span_row(&reach, 15), span_row(&reach, 22), force);
-for (drive = 0; drive < 3; drive += 1) {
-add_resistance(drive, crane, reach);
-power = span_row(&reach, 27 + 9 + drive);
-set_range(0.0, 0.0, power);
-add_range_product(1.0, span_row(&reach, 27 + 0 + drive), span_row(&reach, 27 + 3 + drive), power);
-}
-}
-static void lead_velocities(array_double_1d crane, array_double_2d reach) {
-int64_t drive;
-for (drive = 0; drive < 3; drive += 1) {
-add_range(*cspan_at(&crane, 18 + drive), span_row(&reach, 27 + 6 + drive), span_row(&reach, 27 + 3 + drive));
-}
-}
-static void write_sway(array_double_2d reach) {
-array_double_1d q_x, q_y;
-double across, most;
-q_x = span_row(&reach, 16);
-q_y = span_row(&reach, 16 + 1);
-across = *cspan_at(&q_x, 0) / sqrt(1.0 + *cspan_at(&q_y, 0) * *cspan_at(&q_y, 0));
-most = fabs(*cspan_at(&q_x, 0)) + *cspan_at(&q_x, 1);
-set_range(-atan(across), *cspan_at(&q_x, 1) + most * *cspan_at(&q_y, 1), span_row(&reach, 27 + 15));
-set_range(atan(*cspan_at(&q_y, 0)), *cspan_at(&q_y, 1), span_row(&reach, 27 + 15 + 1));
-}
-static bool write_demands(array_double_1d crane, array_double_2d work) {
-array_double_2d reach;
-array_double_1d pull;
-int64_t axis;
-reach = span_rows(&work, 89, 169);
-pull = span_row(&reach, 15);
-set_range(*cspan_at(&crane, 3), 0.0, pull);
-add_range(1.0, span_row(&reach, 6 + 2), pull);
-if (!(*cspan_at(&pull, 0) > *cspan_at(&pull, 1))) {
-return 0;
-}
-write_slope(0, reach);
-write_slope(1, reach);
-write_stretch(reach);
-for (axis = 0; axis < 2; axis += 1) {
-write_drive(axis, 1.0, span_row(&reach, 16 + axis), span_row(&reach, 18 + axis), span_row(&reach, 20 + axis), reach);
-}
-write_drive(2, 0.0, span_row(&reach, 22), span_row(&reach, 23), span_row(&reach, 24), reach);
-write_forces(crane, reach);
-lead_velocities(crane, reach);
-write_sway(reach);
-return 1;
-}
-static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work) {
-bool result;
-write_load(begin, end, timing, coefficients, offsets, work);
-result = write_demands(crane, work);
-return result;
-}
-static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work) {
-double rounding, bound, value;
-int64_t i, side, proved;
-array_double_1d demand;
-proved = 1;
-rounding = 1.0 + 1e-09;
-for (i = first; i < last; i += 1) {
-demand = span_row(&work, 89 + 27 + i);
-for (side = 0; side < 2; side += 1) {
-bound = bound_magnitude(i, side, bounds) * rounding;
-if (bound != 0.0) {
-value = (1.0 - 2.0 * side) * *cspan_at(&demand, 0);
-value = value - bound_origin(i, side, bounds);
-if (!(value <= bound)) {
-return -1;
-}
-if (!(value + *cspan_at(&demand, 1) <= bound)) {
-proved = 0;
-}
-}
-}
-}
-return proved;
-}
-static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-int64_t depth, place, found;
-double length, start;
-depth = 0;
-place = 0;
-while((depth > 0) || (place == 0)) {
-length = (end - begin) * pow(0.5, (double)(depth));
-start = begin + place * length;
-found = 0;
-if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, 0), work)) {
-found = judge_reach(first, last, span_row(&known, 2), work);
-}
-if ((found < 0) || ((found == 0) && (depth == 10))) {
-return 0;
-}
-if (found == 0) {
-place = 2 * place;
-depth = depth + 1;
-}
-else {
-place = place + 1;
-while((depth > 0) && (span_floor_mod(place, 2) == 0)) {
-place = span_floor_div(place, 2);
-depth = depth - 1;
-}
-}
-}
-return 1;
-}
-static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double time, until;
-int64_t intervals;
-if (!segfmu_has_bounds(first, last, span_row(&known, 2))) {
-return 1;
-}
-time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
-until = interval_end(time, timing, offsets);
-intervals = 0;
-while((until > time) || (intervals == 0)) {
-intervals = intervals + 1;
-if (!keeps_between(first, last, time, until, timing, coefficients, offsets, known, work)) {
-return 0;
-}
-time = until;
-until = interval_end(time, timing, offsets);
-}
-return 1;
-}
-bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-bool result;
-result = keeps_demands(0, 17, timing, coefficients, offsets, known, work);
-return result;
-}
 static int64_t plan_pieces(int64_t slot, array_int64_t_1d offsets) {
 int64_t result;
 result = *cspan_at(&offsets, slot * 4 + 3) - *cspan_at(&offsets, slot * 4);
@@ -12119,6 +11179,15 @@ double result;
 last = *cspan_at(&offsets, slot * 4 + axis + 1) - 1;
 result = *cspan_at(&timing, slot, last, 0) + *cspan_at(&timing, slot, last, 1);
 return result;
+}
+static double rest_time(int64_t slot, array_double_3d timing, array_int64_t_1d offsets) {
+int64_t axis;
+double rests;
+rests = plan_end(slot, 0, timing, offsets);
+for (axis = 1; axis < 3; axis += 1) {
+rests = span_max(rests, plan_end(slot, axis, timing, offsets));
+}
+return rests;
 }
 static void copy_plan(int64_t source, int64_t target, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets) {
 int64_t i, row;
@@ -12153,455 +11222,6 @@ for (order = 0; order < span_floor_div(width, 2) + 1; order += 1) {
 }
 }
 }
-static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work) {
-int64_t first, axis, i, j;
-array_double_2d times;
-bool result;
-first = 4 * 4;
-times = span_rows(&work, 81, 84);
-for (axis = 0; axis < 3; axis += 1) {
-for (i = 0; i < states.shape[2]; i += 1) {
-*cspan_at(&states, 0, axis, i) = *cspan_at(&operation, 19 + axis, i);
-*cspan_at(&states, 1, axis, i) = 0.0;
-}
-*cspan_at(&states, 1, axis, 0) = standstill(4, axis, timing, coefficients, offsets);
-*cspan_at(&times, 0, axis) = 0.0;
-for (j = 1; j < states.shape[0] + 1; j += 1) {
-*cspan_at(&times, j, axis) = plan_end(4, axis, timing, offsets);
-}
-}
-result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 312, 360)) == 0;
-return result;
-}
-static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-int64_t first, contact;
-array_int64_t_1d pieces;
-first = 4 * 4;
-pieces = span_part(&offsets, first, first + 4);
-if (segfmu_check_rope(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 1), span_rows(&work, 0, 52), span_row(&work, 80)) != 0) {
-return 3;
-}
-contact = segfmu_space_contact(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 4), span_rows(&known, 9, 25), span_rows(&work, 52, 74), span_rows(&work, 0, 52), stack, span_rows(&work, 74, 80), 0, span_row(&work, 80));
-if (contact == 3) {
-return 4;
-}
-if (contact != 0) {
-return 5;
-}
-if (!keeps_demands(12, 15, span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, known, work)) {
-return 8;
-}
-if (!keeps_demands(0, demands, span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, known, work)) {
-return 6;
-}
-return 0;
-}
-static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack) {
-int64_t result;
-if (!keeps_limits(operation, limits, known, timing, coefficients, offsets, states, lead, work)) {
-return 2;
-}
-result = prove_crane(17, known, timing, coefficients, offsets, work, stack);
-return result;
-}
-static double used_share(void) {
-return 0.998;
-}
-static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work) {
-array_double_1d points;
-int64_t i;
-double fall, rise;
-bool result;
-points = span_row(&work, 140 + 2);
-for (i = 3; i < 102; i += 1) {
-fall = most_change(2, -1.0, share, interval, known);
-rise = most_change(2, 1.0, share, interval, known);
-*cspan_at(&points, i) = *cspan_at(&points, i - 1) + span_min(span_max(-*cspan_at(&points, i - 1), -fall), rise);
-}
-result = *cspan_at(&points, 99) == 0.0;
-return result;
-}
-static void set_way(int64_t axis, array_double_2d operation, array_double_2d work) {
-double sense;
-sense = 1.0;
-if (axis == 2) {
-sense = -1.0;
-}
-*cspan_at(&work, 150, 2) = sense * *cspan_at(&operation, 1, 1 + axis) - *cspan_at(&operation, 32, 2 + axis);
-}
-static int64_t most_runs(void) {
-return 30;
-}
-static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
-array_double_1d swing, aims;
-int64_t last, axis, Dummy_0000;
-double interval, frequency, before, angle;
-swing = span_row(&operation, 32);
-aims = span_row(&work, 150);
-last = 2;
-interval = duration / 99;
-frequency = swing_frequency(*cspan_at(&known, 0, 3), swing);
-set_control_start(interval, swing, work);
-for (axis = 0; axis < 2; axis += 1) {
-decline_line(axis, work);
-}
-if (*cspan_at(&operation, 1, 0) > 0.5) {
-last = 3;
-set_way(2, operation, work);
-if (!find_centre(2, share, interval, 2, last, aims, known, work)) {
-return 0;
-}
-}
-else if (!brake_hoist(share, interval, known, work)) {
-return 0;
-}
-if (!fits_plan(interval, operation, known, work)) {
-return 0;
-}
-before = 1e+300;
-for (Dummy_0000 = 0; Dummy_0000 < most_runs(); Dummy_0000 += 1) {
-angle = run_controlled(interval, operation, known, work);
-if ((angle < 1e-12) || ((angle < 1e-10) && (angle > 0.5 * before))) {
-return 1;
-}
-before = angle;
-for (axis = 0; axis < 2; axis += 1) {
-set_way(axis, operation, work);
-*cspan_at(&aims, 0) = *cspan_at(&swing, 23 + axis);
-*cspan_at(&aims, 0 + 1) = (-frequency) * *cspan_at(&swing, 20 + axis);
-if (!find_centre(axis, share, interval, 0, last, aims, known, work)) {
-return 0;
-}
-}
-}
-return 0;
-}
-static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
-array_double_1d swing;
-double frequency, least, velocity, place, rate, way, fastest, found;
-int64_t axis;
-swing = span_row(&operation, 32);
-frequency = swing_frequency(*cspan_at(&known, 0, 3), swing);
-found = 0.001 / frequency;
-for (axis = 0; axis < 3; axis += 1) {
-least = span_min(control_bound(6 + axis, 1.0, share, 0.0, known), control_bound(6 + axis, -1.0, share, 0.0, known));
-velocity = fabs(*cspan_at(&swing, 5 + axis));
-if (axis < 2) {
-place = frequency * *cspan_at(&swing, 20 + axis);
-rate = *cspan_at(&swing, 23 + axis);
-velocity = span_max(velocity, sqrt(place * place + rate * rate));
-}
-found = span_max(found, velocity / least);
-if (*cspan_at(&operation, 1, 0) > 0.5) {
-set_way(axis, operation, work);
-way = *cspan_at(&work, 150, 2);
-fastest = control_bound(3 + axis, way, share, 0.0, known);
-if (fastest > 0.0) {
-found = span_max(found, fabs(way) / fastest);
-}
-}
-}
-return found;
-}
-static int64_t most_growths(void) {
-return 20;
-}
-static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
-double tried, missed, found;
-int64_t count;
-tried = least_time(share, operation, known, work);
-missed = tried;
-count = 0;
-while(!calms_within(tried, share, operation, known, work)) {
-missed = tried;
-tried = 1.25 * tried;
-count = count + 1;
-if (count == most_growths()) {
-return 0.0;
-}
-}
-found = tried;
-while(found > 1.01 * missed) {
-tried = 0.5 * (missed + found);
-if (calms_within(tried, share, operation, known, work)) {
-found = tried;
-}
-else {
-missed = tried;
-}
-}
-if ((tried != found) && (!calms_within(found, share, operation, known, work))) {
-return 0.0;
-}
-return found;
-}
-static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-int64_t drive, Dummy_0000, status;
-double share, duration;
-for (drive = 0; drive < 3; drive += 1) {
-if (!(*cspan_at(&known, 2, 6 + drive) > 0.0)) {
-return 6;
-}
-}
-status = 6;
-share = used_share();
-for (Dummy_0000 = 0; Dummy_0000 < 4; Dummy_0000 += 1) {
-duration = seek_calm(share, operation, known, work);
-if (duration == 0.0) {
-return 6;
-}
-write_controlled(duration / 99, operation, known, timing, coefficients, offsets, work);
-status = prove_crane(15, known, timing, coefficients, offsets, work, stack);
-if (status != 6) {
-return status;
-}
-share = 0.7 * share;
-}
-return status;
-}
-static void invert_flat(array_double_2d known, array_double_2d work) {
-segfmu_crane_flat_inverse(span_rows(&work, 161, 166), span_row(&known, 0), span_row(&work, 166), span_row(&work, 167), span_row(&work, 168));
-}
-static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work) {
-array_double_2d flat;
-array_double_1d swing, state;
-int64_t axis, order;
-flat = span_rows(&work, 161, 166);
-swing = span_row(&operation, 32);
-for (axis = 0; axis < 3; axis += 1) {
-for (order = 0; order < 5; order += 1) {
-*cspan_at(&flat, order, axis) = *cspan_at(&operation, 19 + axis, order);
-}
-}
-invert_flat(known, work);
-state = span_row(&work, 167);
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&swing, 2 + axis) = *cspan_at(&state, 0 + axis);
-*cspan_at(&swing, 5 + axis) = *cspan_at(&state, 5 + axis);
-*cspan_at(&swing, 20 + axis) = *cspan_at(&flat, 0, axis);
-*cspan_at(&swing, 23 + axis) = *cspan_at(&flat, 1, axis);
-if (axis < 2) {
-*cspan_at(&swing, 20 + axis) = *cspan_at(&swing, 20 + axis) - *cspan_at(&swing, 2 + axis);
-*cspan_at(&swing, 23 + axis) = *cspan_at(&swing, 23 + axis) - *cspan_at(&swing, 5 + axis);
-}
-}
-}
-static void note_trips(array_double_2d operation) {
-int64_t drive;
-for (drive = 0; drive < 3; drive += 1) {
-*cspan_at(&operation, 32, 28 + drive) = *cspan_at(&operation, 0, 17 + drive);
-}
-}
-static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known) {
-double most, own;
-most = bound_magnitude(6 + drive, side, span_row(&known, 2));
-if (*cspan_at(&swing, 28 + drive) > 0.5) {
-own = *cspan_at(&known, 3, 0 + drive);
-if (own > 0.0) {
-return own;
-}
-return most;
-}
-return share * most;
-}
-static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known) {
-double result;
-result = span_min(brake_of(drive, 0, 1.0, swing, known), brake_of(drive, 1, 1.0, swing, known));
-return result;
-}
-static void set_brakes(double share, array_double_1d swing, array_double_2d known) {
-int64_t axis, side;
-double velocity, most;
-for (axis = 0; axis < 3; axis += 1) {
-velocity = *cspan_at(&swing, 5 + axis);
-*cspan_at(&swing, 8 + axis) = 0.0;
-*cspan_at(&swing, 11 + axis) = 0.0;
-*cspan_at(&swing, 14 + axis) = 0.0;
-*cspan_at(&swing, 17 + axis) = 0.0;
-if (fabs(velocity) > 0.0) {
-side = 0;
-if (velocity > 0.0) {
-side = 1;
-}
-most = brake_of(axis, side, share, swing, known);
-*cspan_at(&swing, 17 + axis) = fabs(velocity) / most;
-*cspan_at(&swing, 8 + axis) = (1.0 - 2.0 * side) * most;
-}
-}
-}
-static bool is_inside(double value, int64_t demand, array_double_2d known) {
-int64_t side;
-double bound;
-side = 0;
-if (value < 0.0) {
-side = 1;
-}
-bound = bound_magnitude(demand, side, span_row(&known, 2));
-return (bound == 0.0) || (fabs(value) <= 0.999 * bound);
-}
-static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work) {
-array_double_2d flat;
-int64_t axis, order, drive;
-double factorial, force, power;
-if (!(*cspan_at(&work, 136, 0) > 0.0)) {
-return 0;
-}
-if (!(*cspan_at(&swing, 20 + 2) < 0.0)) {
-return 0;
-}
-flat = span_rows(&work, 161, 166);
-for (axis = 0; axis < 3; axis += 1) {
-factorial = 1.0;
-for (order = 0; order < 5; order += 1) {
-factorial = factorial * span_max_int(order, 1);
-*cspan_at(&flat, order, axis) = factorial * *cspan_at(&work, 133 + axis, order);
-}
-if (axis < 2) {
-*cspan_at(&flat, 0, axis) = *cspan_at(&flat, 0, axis) + *cspan_at(&swing, 2 + axis);
-*cspan_at(&flat, 1, axis) = *cspan_at(&flat, 1, axis) + *cspan_at(&swing, 5 + axis);
-*cspan_at(&flat, 2, axis) = *cspan_at(&flat, 2, axis) + *cspan_at(&swing, 8 + axis);
-}
-}
-invert_flat(known, work);
-for (drive = 0; drive < 3; drive += 1) {
-if (*cspan_at(&swing, 28 + drive) > 0.5) {
-continue;
-}
-force = *cspan_at(&work, 166, drive);
-power = force * *cspan_at(&swing, 5 + drive);
-if (!is_inside(force, 0 + drive, known)) {
-return 0;
-}
-if (!is_inside(power, 9 + drive, known)) {
-return 0;
-}
-}
-return 1;
-}
-static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
-double gravity, stand;
-array_double_1d swing, ahead;
-int64_t i, pieces, swings;
-gravity = *cspan_at(&known, 0, 3);
-swing = span_row(&operation, 32);
-ahead = span_row(&operation, 33);
-set_brakes(share, swing, known);
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&ahead, i) = *cspan_at(&swing, i);
-}
-stand = stand_time(swing);
-if (!(stand < 1000000000.0 * resolved_step(gravity, swing))) {
-return 0;
-}
-*cspan_at(&swing, 26) = stand;
-pieces = 0;
-swings = 0;
-while((stand_time(ahead) > 0.0) || (swings < 63)) {
-if (stand_time(ahead) == 0.0) {
-if (swings == 0) {
-*cspan_at(&swing, 27) = sway_amplitude(gravity, ahead);
-}
-swings = swings + 1;
-}
-expand_swing(gravity, ahead, work);
-if (!is_bearable(ahead, known, work)) {
-return 0;
-}
-move_swing(swing_step(2.0 * resolved_step(gravity, ahead), ahead), ahead, work);
-pieces = pieces + 1;
-if (pieces > 20000) {
-return 0;
-}
-}
-return 1;
-}
-static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work) {
-int64_t drive, Dummy_0000;
-double kept, missed, middle;
-bool result;
-for (drive = 0; drive < 3; drive += 1) {
-if (!(least_brake(drive, span_row(&operation, 32), known) > 0.0)) {
-return 0;
-}
-}
-if (brakes_with(1.0, operation, known, work)) {
-return 1;
-}
-kept = 0.0;
-missed = 1.0;
-for (Dummy_0000 = 0; Dummy_0000 < 12; Dummy_0000 += 1) {
-middle = 0.5 * (kept + missed);
-if (brakes_with(middle, operation, known, work)) {
-kept = middle;
-}
-else {
-missed = middle;
-}
-}
-result = (kept > 0.0) && brakes_with(kept, operation, known, work);
-return result;
-}
-static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work) {
-bool result;
-note_swing(operation, known, work);
-note_trips(operation);
-result = plan_brakes(operation, known, work);
-return result;
-}
-static double covered_time(array_double_2d operation) {
-array_double_1d command;
-double result;
-command = span_row(&operation, 0);
-result = *cspan_at(&command, 1) + *cspan_at(&command, 14);
-return result;
-}
-static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-write_swing(covered_time(operation), operation, known, timing, coefficients, offsets, work);
-*cspan_at(&operation, 4, 0) = *cspan_at(&operation, 0, 0);
-}
-static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-double gravity;
-array_double_1d swing;
-gravity = *cspan_at(&known, 0, 3);
-swing = span_row(&operation, 32);
-if (!plan_emergency(operation, known, work)) {
-*cspan_at(&operation, 4, 2) = 6;
-return 0;
-}
-if ((*cspan_at(&swing, 26) == 0.0) && (*cspan_at(&swing, 27) < 1e-09)) {
-return 0;
-}
-if (covered_time(operation) > 6.0 * 300 * resolved_step(gravity, swing)) {
-return 0;
-}
-*cspan_at(&swing, 0) = 1.0;
-cover_swing(operation, known, timing, coefficients, offsets, work);
-return 1;
-}
-static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-array_double_1d command, swing;
-command = span_row(&operation, 0);
-swing = span_row(&operation, 32);
-if (elapsed + *cspan_at(&command, 1) + 0.501 * *cspan_at(&command, 14) < *cspan_at(&swing, 1)) {
-return 0;
-}
-advance_swing(elapsed, *cspan_at(&known, 0, 3), swing, work);
-cover_swing(operation, known, timing, coefficients, offsets, work);
-return 1;
-}
-bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-array_double_1d command;
-double elapsed;
-bool result;
-command = span_row(&operation, 0);
-if (*cspan_at(&operation, 32, 0) > 0.5) {
-return 1;
-}
-elapsed = *cspan_at(&command, 0) - *cspan_at(&operation, 4, 0);
-note_present(elapsed, operation, timing, coefficients, offsets);
-result = plan_emergency(operation, known, work);
-return result;
-}
 static double way_left(double velocity, double rest, array_double_1d way) {
 double result;
 if (velocity > 0.0) {
@@ -12619,12 +11239,15 @@ double result;
 result = way_left(*cspan_at(&operation, 26 + axis, 1), *cspan_at(&operation, 29 + axis, 0), span_row(&operation, 16 + axis));
 return result;
 }
-static void hold_shares(array_double_2d operation) {
-array_double_1d command, held;
-double until, velocity, delay, room, hold;
+static double usual_hold(array_double_2d operation) {
+double result;
+result = *cspan_at(&operation, 0, 1) + *cspan_at(&operation, 0, 14);
+return result;
+}
+static void hold_shares(double until, array_double_2d operation) {
 int64_t axis;
-command = span_row(&operation, 0);
-until = *cspan_at(&command, 1) + *cspan_at(&command, 14);
+array_double_1d held;
+double velocity, delay, room, hold;
 for (axis = 0; axis < 3; axis += 1) {
 held = span_row(&operation, 9 + axis);
 velocity = *cspan_at(&operation, 22, axis) * *cspan_at(&operation, 12, axis);
@@ -12702,11 +11325,10 @@ return 0;
 return 1;
 }
 static bool prolong_holds(double elapsed, array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets) {
-array_double_1d command, held, way;
 double until, before, velocity, rest, longest, longer;
 int64_t axis, i, last, first, row;
-command = span_row(&operation, 0);
-until = *cspan_at(&command, 1) + *cspan_at(&command, 14);
+array_double_1d held, way;
+until = usual_hold(operation);
 if (!has_room(4, offsets)) {
 return 0;
 }
@@ -12743,379 +11365,6 @@ shift_row(row, longer, velocity * longer, timing, coefficients);
 }
 }
 return 1;
-}
-static bool is_calming(array_double_2d operation) {
-bool result;
-result = *cspan_at(&operation, 0, 0) < *cspan_at(&operation, 32, 31);
-return result;
-}
-static bool aims_elsewhere(array_double_2d operation) {
-bool result;
-if (*cspan_at(&operation, 1, 0) > 0.5) {
-result = !is_aim(3, operation);
-return result;
-}
-result = *cspan_at(&operation, 3, 0) > 0.5;
-return result;
-}
-static void note_calming(array_double_2d operation) {
-array_double_1d progress;
-int64_t mode;
-progress = span_row(&operation, 4);
-mode = wanted_mode(span_row(&operation, 0));
-*cspan_at(&progress, 1) = 1;
-if ((mode == 3) || ((mode == 1) && (!aims_elsewhere(operation)))) {
-*cspan_at(&progress, 1) = 0;
-}
-}
-static double next_calm(array_double_2d operation) {
-array_double_1d progress;
-double stands, result;
-progress = span_row(&operation, 4);
-stands = *cspan_at(&progress, 0) + stand_time(span_row(&operation, 32));
-result = span_max(stands, *cspan_at(&progress, 4));
-return result;
-}
-static bool wants_calm(array_double_2d operation) {
-array_double_1d command;
-int64_t mode;
-bool result;
-command = span_row(&operation, 0);
-mode = wanted_mode(command);
-if ((mode == 5) || (mode == 0)) {
-return 0;
-}
-result = *cspan_at(&command, 0) >= next_calm(operation);
-return result;
-}
-static void write_calm_aim(array_double_2d operation) {
-array_double_1d command;
-int64_t i;
-command = span_row(&operation, 0);
-for (i = 0; i < 5; i += 1) {
-*cspan_at(&operation, 1, i) = 0.0;
-}
-if (((int64_t)(*cspan_at(&command, 2)) == 1) && (*cspan_at(&command, 10) >= 1.0)) {
-write_target(1.0, span_row(&operation, 1), command);
-}
-}
-static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-array_double_1d command, progress, swing;
-int64_t axis, i;
-command = span_row(&operation, 0);
-progress = span_row(&operation, 4);
-swing = span_row(&operation, 32);
-copy_plan(4, 0, timing, coefficients, offsets);
-for (axis = 0; axis < 3; axis += 1) {
-for (i = 0; i < 4; i += 1) {
-*cspan_at(&operation, 6 + axis, i) = 0.0;
-}
-for (i = 0; i < 102; i += 1) {
-*cspan_at(&operation, 35 + axis, i) = *cspan_at(&work, 140 + axis, i);
-}
-}
-*cspan_at(&swing, 0) = 0.0;
-*cspan_at(&swing, 31) = *cspan_at(&command, 0) + plan_end(0, 0, timing, offsets);
-*cspan_at(&progress, 0) = *cspan_at(&command, 0);
-*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
-*cspan_at(&progress, 3) = 0.0;
-*cspan_at(&progress, 11) = 0.0;
-for (i = 0; i < 5; i += 1) {
-*cspan_at(&operation, 3, i) = *cspan_at(&operation, 1, i);
-}
-if (*cspan_at(&operation, 1, 0) < 0.5) {
-*cspan_at(&operation, 3, 0) = -1.0;
-}
-write_calm_aim(operation);
-note_calming(operation);
-}
-static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-array_double_1d progress, aim;
-double radian, retry;
-int64_t status;
-progress = span_row(&operation, 4);
-aim = span_row(&operation, 1);
-radian = 20.0 * resolved_step(*cspan_at(&known, 0, 3), span_row(&operation, 32));
-retry = *cspan_at(&operation, 0, 0) + radian;
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
-status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
-if (status != 0) {
-*cspan_at(&progress, 2) = status;
-*cspan_at(&progress, 4) = retry;
-}
-if ((status != 0) && (*cspan_at(&aim, 0) > 0.5) && rests) {
-*cspan_at(&aim, 0) = 0.0;
-status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
-}
-if (status != 0) {
-*cspan_at(&progress, 1) = status;
-return 0;
-}
-follow_calm(operation, timing, coefficients, offsets, work);
-return 1;
-}
-static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-advance_swing(elapsed, *cspan_at(&known, 0, 3), span_row(&operation, 32), work);
-cover_swing(operation, known, timing, coefficients, offsets, work);
-write_calm_aim(operation);
-try_calm(1, operation, known, timing, coefficients, offsets, work, stack);
-}
-static void put_aside(array_double_2d operation) {
-int64_t i;
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&operation, 34, i) = *cspan_at(&operation, 32, i);
-}
-}
-static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-array_double_1d swing, ahead;
-double begin, interval, since, snap, jerk;
-int64_t k, axis;
-swing = span_row(&operation, 32);
-ahead = span_row(&operation, 33);
-begin = *cspan_at(&operation, 4, 0);
-interval = (*cspan_at(&swing, 31) - begin) / 99;
-k = span_min_int(span_max_int((int64_t)(elapsed / interval), 0), 99 - 1);
-set_knot(k, interval, ahead, span_rows(&operation, 35, 38));
-since = elapsed - k * interval;
-note_present(elapsed, operation, timing, coefficients, offsets);
-note_swing(operation, known, work);
-for (axis = 0; axis < 3; axis += 1) {
-snap = *cspan_at(&ahead, 14 + axis);
-jerk = *cspan_at(&ahead, 11 + axis);
-*cspan_at(&swing, 8 + axis) = *cspan_at(&ahead, 8 + axis) + (jerk + 0.5 * snap * since) * since;
-*cspan_at(&swing, 11 + axis) = jerk + snap * since;
-}
-}
-static void bring_back(array_double_2d operation) {
-int64_t i;
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&operation, 32, i) = *cspan_at(&operation, 34, i);
-}
-}
-static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-bool straight;
-write_calm_aim(operation);
-if (!aims_elsewhere(operation)) {
-note_calming(operation);
-return 0;
-}
-if (*cspan_at(&operation, 0, 0) < *cspan_at(&operation, 4, 4)) {
-note_calming(operation);
-return 0;
-}
-put_aside(operation);
-note_calm_state(elapsed, operation, known, timing, coefficients, offsets, work);
-straight = *cspan_at(&operation, 3, 0) > 0.5;
-if (try_calm(straight, operation, known, timing, coefficients, offsets, work, stack)) {
-return 1;
-}
-bring_back(operation);
-note_calming(operation);
-return 0;
-}
-static bool is_hanging(array_double_1d command) {
-int64_t i;
-double length, paid_out;
-for (i = 0; i < 10; i += 1) {
-if (!(fabs(*cspan_at(&command, 21 + i)) < 1e+300)) {
-return 0;
-}
-}
-for (i = 0; i < 2; i += 1) {
-if (!(fabs(*cspan_at(&command, 21 + 3 + i)) < 1.5)) {
-return 0;
-}
-}
-length = *cspan_at(&command, 21 + 0 + 2);
-paid_out = *cspan_at(&command, 16) * *cspan_at(&command, 21 + 5 + 2);
-return span_min(length, length + paid_out) > 0.0;
-}
-static int64_t state_status(array_double_1d command) {
-int64_t axis;
-if (!is_hanging(command)) {
-return 3;
-}
-for (axis = 0; axis < 3; axis += 1) {
-if (fabs(*cspan_at(&command, 21 + 0 + axis)) > 1000000.0) {
-return 4;
-}
-}
-return 0;
-}
-static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work) {
-array_double_1d command, state, swing;
-int64_t i, axis;
-double length, stretch, sin_x, cos_x, sin_y, cos_y, rate_x, rate_y;
-command = span_row(&operation, 0);
-state = span_piece(&command, 21, 31);
-swing = span_row(&operation, 32);
-for (i = 0; i < 32; i += 1) {
-*cspan_at(&swing, i) = 0.0;
-}
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&swing, 2 + axis) = *cspan_at(&state, 0 + axis);
-*cspan_at(&swing, 5 + axis) = *cspan_at(&state, 5 + axis);
-*cspan_at(&swing, 17 + axis) = 1e+300;
-}
-length = *cspan_at(&state, 0 + 2);
-stretch = *cspan_at(&state, 5 + 2);
-sin_x = sin(*cspan_at(&state, 3));
-cos_x = cos(*cspan_at(&state, 3));
-sin_y = sin(*cspan_at(&state, 3 + 1));
-cos_y = cos(*cspan_at(&state, 3 + 1));
-rate_x = *cspan_at(&state, 8);
-rate_y = *cspan_at(&state, 8 + 1);
-*cspan_at(&swing, 20) = length * sin_x;
-*cspan_at(&swing, 20 + 1) = (-length) * cos_x * sin_y;
-*cspan_at(&swing, 20 + 2) = (-length) * cos_x * cos_y;
-*cspan_at(&swing, 23) = stretch * sin_x + length * cos_x * rate_x;
-*cspan_at(&swing, 23 + 1) = (-stretch) * cos_x * sin_y + length * (sin_x * sin_y * rate_x - cos_x * cos_y * rate_y);
-*cspan_at(&swing, 23 + 2) = (-stretch) * cos_x * cos_y + length * (sin_x * cos_y * rate_x + cos_x * sin_y * rate_y);
-advance_swing(*cspan_at(&command, 16), *cspan_at(&known, 0, 3), swing, work);
-for (axis = 0; axis < 3; axis += 1) {
-*cspan_at(&swing, 17 + axis) = 0.0;
-}
-}
-int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-array_double_1d progress;
-double retry;
-int64_t refused;
-progress = span_row(&operation, 4);
-*cspan_at(&progress, 16) = *cspan_at(&operation, 0, 20);
-refused = state_status(span_row(&operation, 0));
-if (refused != 0) {
-*cspan_at(&progress, 1) = refused;
-*cspan_at(&progress, 2) = refused;
-return refused;
-}
-put_aside(operation);
-write_measured(operation, known, work);
-write_calm_aim(operation);
-retry = *cspan_at(&progress, 4);
-if (try_calm(1, operation, known, timing, coefficients, offsets, work, stack)) {
-return 0;
-}
-bring_back(operation);
-*cspan_at(&progress, 4) = retry;
-refused = (int64_t)(*cspan_at(&progress, 1));
-return refused;
-}
-static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
-array_double_1d command, progress;
-bool result;
-command = span_row(&operation, 0);
-progress = span_row(&operation, 4);
-if (wanted_mode(command) == 5) {
-return 0;
-}
-if (!(*cspan_at(&command, 20) > 0.5)) {
-*cspan_at(&progress, 16) = 0.0;
-return 0;
-}
-if (*cspan_at(&progress, 16) > 0.5) {
-return 0;
-}
-result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
-return result;
-}
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double power, share;
-int64_t order, axis, place;
-bool result;
-write_load(time, time, timing, coefficients, offsets, work);
-power = pace;
-for (order = 1; order < 5; order += 1) {
-share = power;
-if ((order == 1) && (speed > 0.0)) {
-share = speed;
-}
-for (axis = 0; axis < 3; axis += 1) {
-place = 89 + 0 + 3 * order + axis;
-*cspan_at(&work, place, 0) = share * *cspan_at(&work, place, 0);
-}
-power = power * pace;
-if (order > 1) {
-power = power * steepness;
-}
-}
-if (!write_demands(span_row(&known, 0), work)) {
-return 0;
-}
-result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
-return result;
-}
-static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double time, until, at, low, tried, pace;
-int64_t k, i;
-pace = 1.0;
-time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
-until = interval_end(time, timing, offsets);
-while(until > time) {
-for (k = 0; k < 4; k += 1) {
-at = time + (until - time) * k / 4;
-low = 1.0;
-tried = pace;
-for (i = 0; i < 2 + 8; i += 1) {
-if (keeps_at(tried, speed, steepness, at, timing, coefficients, offsets, known, work)) {
-low = tried;
-if (i == 0) {
-break;
-}
-}
-else {
-if (i == 1) {
-return 0.0;
-}
-pace = tried;
-}
-tried = 0.0625;
-if (i > 0) {
-tried = 0.5 * (low + pace);
-}
-}
-pace = low;
-}
-time = until;
-until = interval_end(time, timing, offsets);
-}
-return pace;
-}
-static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double speed, best, steepest, least, steepness, pace, takes;
-int64_t Dummy_0000;
-speed = 1.0;
-best = 1.0;
-steepest = 1.0;
-least = 1e+300;
-for (Dummy_0000 = 0; Dummy_0000 < 2; Dummy_0000 += 1) {
-steepness = 1.0;
-while((1.0 + 0.5 / steepness < least) && (steepness > 0.01)) {
-pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work);
-if (pace > 0.0) {
-takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness);
-if (takes < least) {
-least = takes;
-best = pace;
-steepest = steepness;
-}
-}
-steepness = 0.25 * steepness;
-}
-if (least < 1e+300) {
-(*result_0) = best;
-(*result_1) = steepest;
-(*result_2) = speed;
-return 0;
-}
-speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work);
-if (speed == 0.0) {
-break;
-}
-}
-(*result_0) = 1.0;
-(*result_1) = 1.0;
-(*result_2) = 1.0;
-return 0;
 }
 static int64_t level_gain(double* result_0, double* result_1_0001, double level, double a, double b, array_double_1d axis) {
 double first, slope, last;
@@ -20772,12 +19021,12 @@ break;
 }
 return 1;
 }
-static bool seek_velocity(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead) {
+static bool seek_velocity(bool slow, double until, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead) {
 bool result;
 if (!reach_velocities(slow, operation, limits, timing, coefficients, offsets, states, lead)) {
 return 0;
 }
-hold_shares(operation);
+hold_shares(until, operation);
 result = join_held(operation, timing, coefficients, offsets);
 return result;
 }
@@ -22553,6 +20802,1882 @@ for (i = 0; i < 4; i += 1) {
 }
 return 1;
 }
+static double way_to_target(int64_t axis, array_double_2d operation) {
+double target, way;
+target = *cspan_at(&operation, 1, 1 + axis);
+way = target - *cspan_at(&operation, 19 + axis, 0);
+if (fabs(way) > 1e-06 * fabs(*cspan_at(&operation, 1, 1 + 2))) {
+return way;
+}
+return 0.0;
+}
+static bool moves_apart(int64_t axis, array_double_2d operation) {
+if (way_to_target(2, operation) > 0.0) {
+return axis == 2;
+}
+return axis < 2;
+}
+static bool rests_at_target(array_double_2d operation, array_double_2d known) {
+int64_t axis;
+double target, touch;
+for (axis = 0; axis < 3; axis += 1) {
+target = *cspan_at(&operation, 1, 1 + axis);
+touch = 2.0 * end_rounding_of(target);
+if (!((low_end(axis, known) - touch <= target) && (target <= high_end(axis, known) + touch))) {
+return 0;
+}
+}
+return 1;
+}
+static bool goes_apart(array_double_2d operation) {
+double level;
+bool result;
+if (*cspan_at(&operation, 4, 6) > 0.7) {
+return 0;
+}
+level = fabs(way_to_target(0, operation)) + fabs(way_to_target(1, operation));
+result = (level > 0.0) && (fabs(way_to_target(2, operation)) > 0.0);
+return result;
+}
+static void choose_apart(double share, array_double_2d operation, array_double_3d limits, array_double_2d known) {
+int64_t axis;
+double way, wish;
+end_ways_at_target(operation);
+for (axis = 0; axis < 3; axis += 1) {
+way = way_to_target(axis, operation);
+wish = 0.0;
+if (way > 0.0) {
+wish = 1e+300;
+}
+else if (way < 0.0) {
+wish = -1e+300;
+}
+*cspan_at(&operation, 22, axis) = limited_velocity(wish, *cspan_at(&operation, 1, 4), *cspan_at(&limits, 0, axis, 0), *cspan_at(&known, 6 + axis, 0));
+*cspan_at(&operation, 12, axis) = 0.0;
+if (moves_apart(axis, operation)) {
+*cspan_at(&operation, 12, axis) = share;
+}
+}
+}
+static double left_of_plan(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
+double elapsed, result;
+elapsed = *cspan_at(&operation, 0, 0);
+elapsed = elapsed - *cspan_at(&operation, 4, 0);
+result = rest_time(0, timing, offsets) - elapsed;
+return result;
+}
+static bool goes_on(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
+array_double_1d progress;
+bool result;
+progress = span_row(&operation, 4);
+if ((*cspan_at(&progress, 3) != 1) || (!is_aim(3, operation))) {
+return 0;
+}
+result = left_of_plan(operation, timing, offsets) > 0.0;
+return result;
+}
+static void retry_later(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
+array_double_1d progress;
+double later;
+progress = span_row(&operation, 4);
+later = 0.05 * left_of_plan(operation, timing, offsets);
+*cspan_at(&progress, 4) = span_max(*cspan_at(&progress, 4), *cspan_at(&operation, 0, 0) + later);
+}
+static int64_t most_newton(void) {
+return 60;
+}
+static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known) {
+int64_t side;
+double bound;
+side = 0;
+if (sense < 0.0) {
+side = 1;
+}
+bound = share * bound_magnitude(demand, side, span_row(&known, 2));
+if (bound == 0.0) {
+bound = fallback;
+}
+return bound;
+}
+static double most_change(int64_t axis, double sense, double share, double interval, array_double_2d known) {
+double result;
+result = interval * control_bound(6 + axis, sense, share, 0.0, known);
+return result;
+}
+static double most_speed(int64_t axis, double sense, double share, double interval, array_double_2d known, array_double_2d work) {
+double most, result;
+most = most_change(axis, 1.0, share, interval, known);
+most = most + most_change(axis, -1.0, share, interval, known);
+most = fabs(*cspan_at(&work, 140 + axis, 1)) + 102 * most;
+result = control_bound(3 + axis, sense, share, most, known);
+return result;
+}
+static void decline_line(int64_t axis, array_double_2d work) {
+array_double_1d points;
+int64_t begin, last, i;
+points = span_row(&work, 140 + axis);
+begin = 3 - 1;
+last = 99;
+for (i = 3; i < 102; i += 1) {
+*cspan_at(&points, i) = *cspan_at(&points, begin) * span_max_int(last - i, 0) / (last - begin);
+}
+}
+static bool is_inside_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
+array_double_1d points;
+double fastest, slowest, rise, fall;
+int64_t i;
+points = span_row(&work, 140 + axis);
+fastest = most_speed(axis, 1.0, share, interval, known, work);
+slowest = most_speed(axis, -1.0, share, interval, known, work);
+rise = most_change(axis, 1.0, share, interval, known);
+fall = most_change(axis, -1.0, share, interval, known);
+for (i = 3; i < 99 + 1; i += 1) {
+if (!((-slowest < *cspan_at(&points, i)) && (*cspan_at(&points, i) < fastest))) {
+return 0;
+}
+if (!((-fall < *cspan_at(&points, i) - *cspan_at(&points, i - 1)) && (*cspan_at(&points, i) - *cspan_at(&points, i - 1) < rise))) {
+return 0;
+}
+}
+return 1;
+}
+static void write_conditions(double interval, array_double_2d work) {
+int64_t i, j;
+array_double_1d moment;
+for (i = 3; i < 99; i += 1) {
+for (j = 0; j < 2; j += 1) {
+moment = span_row(&work, 143 + j);
+*cspan_at(&work, 145 + j, i) = *cspan_at(&moment, i - 1) - *cspan_at(&moment, i);
+}
+*cspan_at(&work, 145 + 2, i) = interval;
+}
+}
+static double swing_left(int64_t j, double aim, int64_t axis, array_double_2d work) {
+int64_t i;
+double change, left;
+left = aim;
+for (i = 0; i < 102 - 1; i += 1) {
+change = *cspan_at(&work, 140 + axis, i + 1) - *cspan_at(&work, 140 + axis, i);
+left = left - *cspan_at(&work, 143 + j, i) * change;
+}
+return left;
+}
+static double place_left(double aim, int64_t axis, double interval, array_double_2d work) {
+array_double_1d points;
+int64_t i;
+double left;
+points = span_row(&work, 140 + axis);
+left = aim - interval * (*cspan_at(&points, 0) + 12.0 * *cspan_at(&points, 1) + 23.0 * *cspan_at(&points, 2)) / 24.0;
+for (i = 3; i < 99; i += 1) {
+left = left - interval * *cspan_at(&points, i);
+}
+return left;
+}
+static void write_barrier(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
+array_double_1d points;
+double fastest, slowest, rise, fall, slope, curve, over, under, slope_behind, curve_behind;
+int64_t i;
+points = span_row(&work, 140 + axis);
+fastest = most_speed(axis, 1.0, share, interval, known, work);
+slowest = most_speed(axis, -1.0, share, interval, known, work);
+rise = most_change(axis, 1.0, share, interval, known);
+fall = most_change(axis, -1.0, share, interval, known);
+slope = 0.0;
+curve = 0.0;
+for (i = 3 - 1; i < 99; i += 1) {
+over = 1.0 / (rise - *cspan_at(&points, i + 1) + *cspan_at(&points, i));
+under = 1.0 / (fall + *cspan_at(&points, i + 1) - *cspan_at(&points, i));
+slope_behind = over - under;
+curve_behind = over * over + under * under;
+over = 1.0 / (fastest - *cspan_at(&points, i));
+under = 1.0 / (slowest + *cspan_at(&points, i));
+*cspan_at(&work, 151, i) = slope_behind - slope - over + under;
+*cspan_at(&work, 148, i) = curve + curve_behind + over * over + under * under;
+*cspan_at(&work, 149, i) = -curve_behind;
+slope = slope_behind;
+curve = curve_behind;
+}
+}
+static void solve_barrier(int64_t first, int64_t last, array_double_2d work) {
+array_double_2d change;
+int64_t i, j, k;
+double ratio, coupling;
+change = span_rows(&work, 151, 155);
+for (i = 3; i < 99; i += 1) {
+for (j = first; j < last; j += 1) {
+*cspan_at(&change, 1 + j, i) = *cspan_at(&work, 145 + j, i);
+}
+}
+for (i = 3 + 1; i < 99; i += 1) {
+ratio = *cspan_at(&work, 149, i - 1) / *cspan_at(&work, 148, i - 1);
+*cspan_at(&work, 148, i) = *cspan_at(&work, 148, i) - ratio * *cspan_at(&work, 149, i - 1);
+*cspan_at(&change, 0, i) = *cspan_at(&change, 0, i) - ratio * *cspan_at(&change, 0, i - 1);
+for (j = first; j < last; j += 1) {
+*cspan_at(&change, 1 + j, i) = *cspan_at(&change, 1 + j, i) - ratio * *cspan_at(&change, 1 + j, i - 1);
+}
+}
+for (k = 3; k < 99; k += 1) {
+i = 99 + 3 - 1 - k;
+coupling = *cspan_at(&work, 149, i);
+if (k == 3) {
+coupling = 0.0;
+}
+*cspan_at(&change, 0, i) = (*cspan_at(&change, 0, i) - coupling * *cspan_at(&change, 0, i + 1)) / *cspan_at(&work, 148, i);
+for (j = first; j < last; j += 1) {
+*cspan_at(&change, 1 + j, i) = (*cspan_at(&change, 1 + j, i) - coupling * *cspan_at(&change, 1 + j, i + 1)) / *cspan_at(&work, 148, i);
+}
+}
+}
+static double join_changes(int64_t first, int64_t last, array_double_2d work) {
+array_double_2d change, schur, lack;
+int64_t j, k, i;
+array_double_1d slopes;
+double largest;
+change = span_rows(&work, 151, 155);
+schur = span_rows(&work, 155, 158);
+lack = span_rows(&work, 158, 161);
+for (j = first; j < last; j += 1) {
+slopes = span_row(&work, 145 + j);
+for (k = first; k < last; k += 1) {
+*cspan_at(&schur, j - first, k - first) = 0.0;
+}
+for (i = 3; i < 99; i += 1) {
+*cspan_at(&lack, j - first, 0) = *cspan_at(&lack, j - first, 0) - *cspan_at(&slopes, i) * *cspan_at(&change, 0, i);
+for (k = first; k < last; k += 1) {
+*cspan_at(&schur, j - first, k - first) = *cspan_at(&schur, j - first, k - first) + *cspan_at(&slopes, i) * *cspan_at(&change, 1 + k, i);
+}
+}
+}
+matrix_solve(last - first, 1, schur, lack);
+largest = 0.0;
+for (i = 3; i < 99; i += 1) {
+for (j = first; j < last; j += 1) {
+*cspan_at(&change, 0, i) = *cspan_at(&change, 0, i) + *cspan_at(&lack, j - first, 0) * *cspan_at(&change, 1 + j, i);
+}
+if (!(fabs(*cspan_at(&change, 0, i)) < 1e+300)) {
+return 1e+300;
+}
+largest = span_max(largest, fabs(*cspan_at(&change, 0, i)));
+}
+for (i = 0; i < 3; i += 1) {
+*cspan_at(&change, 0, i) = 0.0;
+*cspan_at(&change, 0, 99 + i) = 0.0;
+}
+return largest;
+}
+static double way_to_bounds(int64_t axis, double share, double interval, array_double_2d known, array_double_2d work) {
+array_double_1d points, change;
+double fastest, slowest, rise, fall, inverse, moved, step;
+int64_t i;
+points = span_row(&work, 140 + axis);
+change = span_row(&work, 151);
+fastest = most_speed(axis, 1.0, share, interval, known, work);
+slowest = most_speed(axis, -1.0, share, interval, known, work);
+rise = most_change(axis, 1.0, share, interval, known);
+fall = most_change(axis, -1.0, share, interval, known);
+inverse = 0.0;
+for (i = 3 - 1; i < 99; i += 1) {
+moved = *cspan_at(&change, i + 1) - *cspan_at(&change, i);
+step = *cspan_at(&points, i + 1) - *cspan_at(&points, i);
+inverse = span_max(inverse, moved / (rise - step));
+inverse = span_max(inverse, (-moved) / (fall + step));
+inverse = span_max(inverse, *cspan_at(&change, i) / (fastest - *cspan_at(&points, i)));
+inverse = span_max(inverse, (-*cspan_at(&change, i)) / (slowest + *cspan_at(&points, i)));
+}
+if (inverse > 0.0) {
+return 1.0 / inverse;
+}
+return 1e+300;
+}
+static bool find_centre(int64_t axis, double share, double interval, int64_t first, int64_t last, array_double_1d aims, array_double_2d known, array_double_2d work) {
+int64_t Dummy_0000, j, i;
+double largest, step;
+bool met;
+decline_line(axis, work);
+if (!is_inside_bounds(axis, share, interval, known, work)) {
+return 0;
+}
+write_conditions(interval, work);
+met = 0;
+for (Dummy_0000 = 0; Dummy_0000 < most_newton(); Dummy_0000 += 1) {
+write_barrier(axis, share, interval, known, work);
+solve_barrier(first, last, work);
+for (j = first; j < last; j += 1) {
+if (j < 2) {
+*cspan_at(&work, 158 + j - first, 0) = swing_left(j, *cspan_at(&aims, j), axis, work);
+}
+else {
+*cspan_at(&work, 158 + j - first, 0) = place_left(*cspan_at(&aims, j), axis, interval, work);
+}
+}
+largest = join_changes(first, last, work);
+step = span_min(0.9 * way_to_bounds(axis, share, interval, known, work), 1.0);
+if ((!(step > 0.0001)) || (!(largest < 1e+300))) {
+return 0;
+}
+for (i = 3; i < 99; i += 1) {
+*cspan_at(&work, 140 + axis, i) = *cspan_at(&work, 140 + axis, i) + step * *cspan_at(&work, 151, i);
+}
+if (step == 1.0) {
+met = 1;
+if (largest <= 1e-09 * most_change(axis, 1.0, share, interval, known)) {
+return 1;
+}
+}
+}
+return met;
+}
+static double length_term(int64_t order, array_double_1d swing) {
+double result;
+if (order == 0) {
+result = *cspan_at(&swing, 2 + 2);
+return result;
+}
+if (order == 1) {
+result = *cspan_at(&swing, 5 + 2);
+return result;
+}
+if (order == 2) {
+result = 0.5 * *cspan_at(&swing, 8 + 2);
+return result;
+}
+if (order == 3) {
+result = *cspan_at(&swing, 11 + 2) / 6.0;
+return result;
+}
+result = *cspan_at(&swing, 14 + 2) / 24.0;
+return result;
+}
+static void write_square(array_double_1d swing, array_double_1d square) {
+int64_t i, j;
+for (i = 0; i < 14; i += 1) {
+*cspan_at(&square, i) = 0.0;
+}
+for (i = 0; i < 4 + 1; i += 1) {
+for (j = 0; j < 4 + 1; j += 1) {
+*cspan_at(&square, i + j) = *cspan_at(&square, i + j) + length_term(i, swing) * length_term(j, swing);
+}
+}
+}
+static double suspension_pull(int64_t axis, int64_t order, double gravity, array_double_1d swing) {
+double found;
+found = 0.0;
+if (order == 0) {
+found = gravity;
+if (axis < 2) {
+found = *cspan_at(&swing, 8 + axis);
+}
+}
+else if ((order == 1) && (axis < 2)) {
+found = *cspan_at(&swing, 11 + axis);
+}
+else if ((order == 2) && (axis < 2)) {
+found = 0.5 * *cspan_at(&swing, 14 + axis);
+}
+return found;
+}
+static void expand_swing(double gravity, array_double_1d swing, array_double_2d work) {
+array_double_2d series;
+array_double_1d square, pull;
+int64_t axis, k, i;
+double found, product, value;
+series = span_rows(&work, 133, 136);
+square = span_row(&work, 137);
+write_square(swing, square);
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&series, axis, 0) = *cspan_at(&swing, 20 + axis);
+*cspan_at(&series, axis, 1) = *cspan_at(&swing, 23 + axis);
+}
+pull = span_row(&work, 136);
+for (k = 0; k < 14 - 2; k += 1) {
+found = (-0.5) * (k + 1) * (k + 2) * *cspan_at(&square, k + 2);
+for (axis = 0; axis < 3; axis += 1) {
+for (i = 0; i < span_min_int(k, 2) + 1; i += 1) {
+found = found - suspension_pull(axis, i, gravity, swing) * *cspan_at(&series, axis, k - i);
+}
+for (i = 0; i < k + 1; i += 1) {
+product = *cspan_at(&series, axis, i + 1) * *cspan_at(&series, axis, k - i + 1);
+found = found + (i + 1) * (k - i + 1) * product;
+}
+}
+for (i = 0; i < k; i += 1) {
+found = found - *cspan_at(&pull, i) * *cspan_at(&square, k - i);
+}
+*cspan_at(&pull, k) = found / *cspan_at(&square, 0);
+for (axis = 0; axis < 3; axis += 1) {
+value = -suspension_pull(axis, k, gravity, swing);
+for (i = 0; i < k + 1; i += 1) {
+value = value - *cspan_at(&pull, i) * *cspan_at(&series, axis, k - i);
+}
+*cspan_at(&series, axis, k + 2) = value / ((k + 1) * (k + 2));
+}
+}
+}
+static void tighten_rope(array_double_1d swing) {
+double length, square, ratio, stray, along;
+int64_t axis;
+length = *cspan_at(&swing, 2 + 2);
+square = 0.0;
+for (axis = 0; axis < 3; axis += 1) {
+square = square + *cspan_at(&swing, 20 + axis) * *cspan_at(&swing, 20 + axis);
+}
+ratio = length / sqrt(square);
+stray = (-length) * *cspan_at(&swing, 5 + 2);
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&swing, 20 + axis) = *cspan_at(&swing, 20 + axis) * ratio;
+stray = stray + *cspan_at(&swing, 20 + axis) * *cspan_at(&swing, 23 + axis);
+}
+for (axis = 0; axis < 3; axis += 1) {
+along = stray * *cspan_at(&swing, 20 + axis) / (length * length);
+*cspan_at(&swing, 23 + axis) = *cspan_at(&swing, 23 + axis) - along;
+}
+}
+static void move_swing(double step, array_double_1d swing, array_double_2d work) {
+int64_t axis, j, i;
+array_double_1d series;
+double place, rate, snap, jerk, acceleration, mean;
+for (axis = 0; axis < 3; axis += 1) {
+series = span_row(&work, 133 + axis);
+place = 0.0;
+rate = 0.0;
+for (j = 0; j < 14; j += 1) {
+i = 14 - 1 - j;
+rate = rate * step + place;
+place = place * step + *cspan_at(&series, i);
+}
+*cspan_at(&swing, 20 + axis) = place;
+*cspan_at(&swing, 23 + axis) = rate;
+snap = *cspan_at(&swing, 14 + axis);
+jerk = *cspan_at(&swing, 11 + axis);
+acceleration = *cspan_at(&swing, 8 + axis);
+mean = *cspan_at(&swing, 5 + axis) + (0.5 * acceleration + (jerk / 6.0 + snap * step / 24.0) * step) * step;
+*cspan_at(&swing, 2 + axis) = *cspan_at(&swing, 2 + axis) + mean * step;
+*cspan_at(&swing, 5 + axis) = *cspan_at(&swing, 5 + axis) + (acceleration + (0.5 * jerk + snap * step / 6.0) * step) * step;
+*cspan_at(&swing, 8 + axis) = acceleration + (jerk + 0.5 * snap * step) * step;
+*cspan_at(&swing, 11 + axis) = jerk + snap * step;
+*cspan_at(&swing, 17 + axis) = span_max(*cspan_at(&swing, 17 + axis) - step, 0.0);
+if (*cspan_at(&swing, 17 + axis) == 0.0) {
+*cspan_at(&swing, 5 + axis) = 0.0;
+*cspan_at(&swing, 8 + axis) = 0.0;
+*cspan_at(&swing, 11 + axis) = 0.0;
+*cspan_at(&swing, 14 + axis) = 0.0;
+}
+}
+tighten_rope(swing);
+}
+static double swing_step(double longest, array_double_1d swing) {
+int64_t axis;
+double left, found;
+found = longest;
+for (axis = 0; axis < 3; axis += 1) {
+left = *cspan_at(&swing, 17 + axis);
+if ((0.0 < left) && (left < found)) {
+found = left;
+}
+}
+return found;
+}
+static double resolved_step(double gravity, array_double_1d swing) {
+double result;
+result = 0.05 * sqrt(*cspan_at(&swing, 2 + 2) / gravity);
+return result;
+}
+static double stand_time(array_double_1d swing) {
+int64_t axis;
+double latest;
+latest = 0.0;
+for (axis = 0; axis < 3; axis += 1) {
+latest = span_max(latest, *cspan_at(&swing, 17 + axis));
+}
+return latest;
+}
+static double sway_amplitude(double gravity, array_double_1d swing) {
+double length, x, y, low, squares, energy, moment, least, high, middle;
+int64_t axis, Dummy_0000;
+length = *cspan_at(&swing, 2 + 2);
+x = *cspan_at(&swing, 20);
+y = *cspan_at(&swing, 20 + 1);
+low = (x * x + y * y) / (length * (length - *cspan_at(&swing, 20 + 2)));
+squares = 0.0;
+for (axis = 0; axis < 3; axis += 1) {
+squares = squares + *cspan_at(&swing, 23 + axis) * *cspan_at(&swing, 23 + axis);
+}
+energy = low + squares / (2.0 * gravity * length);
+moment = x * *cspan_at(&swing, 23 + 1) - y * *cspan_at(&swing, 23);
+least = moment * moment / (2.0 * gravity * length * length * length);
+high = span_min(energy, 2.0);
+for (Dummy_0000 = 0; Dummy_0000 < 60; Dummy_0000 += 1) {
+middle = 0.5 * (low + high);
+if (middle * (2.0 - middle) * (energy - middle) >= least) {
+low = middle;
+}
+else {
+high = middle;
+}
+}
+return 2.0 * atan2(sqrt(low), sqrt(span_max(2.0 - low, 0.0)));
+}
+static void advance_swing(double duration, double gravity, array_double_1d swing, array_double_2d work) {
+double left, longest, step;
+left = duration;
+longest = span_max(resolved_step(gravity, swing), duration / 20000);
+while(left > 0.0) {
+step = span_min(swing_step(longest, swing), left);
+expand_swing(gravity, swing, work);
+move_swing(step, swing, work);
+left = left - step;
+}
+}
+static void write_swing_piece(int64_t axis, int64_t row, double before, array_double_1d swing, array_double_3d coefficients, array_double_2d work) {
+int64_t width, i, j, k;
+width = coefficients.shape[2];
+for (i = 0; i < width; i += 1) {
+*cspan_at(&coefficients, 4, row, i) = *cspan_at(&work, 133 + axis, i);
+}
+if (axis < 2) {
+*cspan_at(&coefficients, 4, row, 0) = *cspan_at(&coefficients, 4, row, 0) + *cspan_at(&swing, 2 + axis);
+*cspan_at(&coefficients, 4, row, 1) = *cspan_at(&coefficients, 4, row, 1) + *cspan_at(&swing, 5 + axis);
+*cspan_at(&coefficients, 4, row, 2) = *cspan_at(&coefficients, 4, row, 2) + 0.5 * *cspan_at(&swing, 8 + axis);
+*cspan_at(&coefficients, 4, row, 3) = *cspan_at(&coefficients, 4, row, 3) + *cspan_at(&swing, 11 + axis) / 6.0;
+*cspan_at(&coefficients, 4, row, 4) = *cspan_at(&coefficients, 4, row, 4) + *cspan_at(&swing, 14 + axis) / 24.0;
+}
+for (i = 0; i < width - 1; i += 1) {
+for (j = 0; j < width - 1 - i; j += 1) {
+k = width - 2 - j;
+*cspan_at(&coefficients, 4, row, k) = *cspan_at(&coefficients, 4, row, k) - before * *cspan_at(&coefficients, 4, row, k + 1);
+}
+}
+}
+static void gather_axes(int64_t rows, int64_t count, int64_t slot, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets) {
+int64_t axis, i;
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&offsets, slot * 4 + axis) = axis * count;
+for (i = 0; i < count; i += 1) {
+copy_piece(span_matrix(&timing, 4), span_matrix(&coefficients, 4), axis * rows + i, span_matrix(&timing, slot), span_matrix(&coefficients, slot), axis * count + i);
+}
+}
+*cspan_at(&offsets, slot * 4 + 3) = 3 * count;
+}
+static void write_swing(double least, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+double gravity, longest, time, step;
+array_double_1d swing, ahead;
+int64_t i, rows, count, axis;
+gravity = *cspan_at(&known, 0, 3);
+swing = span_row(&operation, 32);
+ahead = span_row(&operation, 33);
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&ahead, i) = *cspan_at(&swing, i);
+}
+longest = span_max(resolved_step(gravity, swing), least / 300);
+rows = 300 + 100;
+time = 0.0;
+count = 0;
+while((count < rows) && ((time < least) || (stand_time(ahead) > 0.0) || (count < 100))) {
+step = swing_step(longest, ahead);
+expand_swing(gravity, ahead, work);
+move_swing(0.5 * step, ahead, work);
+expand_swing(gravity, ahead, work);
+for (axis = 0; axis < 3; axis += 1) {
+write_swing_piece(axis, axis * rows + count, 0.5 * step, ahead, coefficients, work);
+*cspan_at(&timing, 4, axis * rows + count, 0) = time;
+*cspan_at(&timing, 4, axis * rows + count, 1) = step;
+}
+move_swing(0.5 * step, ahead, work);
+time = time + step;
+count = count + 1;
+}
+gather_axes(rows, count, 0, timing, coefficients, offsets);
+*cspan_at(&swing, 1) = time;
+}
+static double swing_frequency(double gravity, array_double_1d swing) {
+double result;
+result = sqrt(gravity / *cspan_at(&swing, 2 + 2));
+return result;
+}
+static void set_control_start(double interval, array_double_1d swing, array_double_2d work) {
+int64_t axis, i;
+double change, bend, since;
+for (axis = 0; axis < 3; axis += 1) {
+change = interval * *cspan_at(&swing, 8 + axis);
+bend = interval * interval * *cspan_at(&swing, 11 + axis);
+for (i = 0; i < 3; i += 1) {
+since = i - 1.0;
+*cspan_at(&work, 140 + axis, i) = *cspan_at(&swing, 5 + axis) + (since * change + (0.5 * since * since - 1.0 / 6.0) * bend);
+}
+}
+}
+static void set_knot(int64_t k, double interval, array_double_1d ahead, array_double_2d control) {
+int64_t axis, last;
+array_double_1d points;
+double before, here, behind;
+for (axis = 0; axis < 3; axis += 1) {
+points = span_row(&control, axis);
+last = k + 3;
+before = (*cspan_at(&points, k + 1) - *cspan_at(&points, k)) / interval;
+here = (*cspan_at(&points, k + 2) - *cspan_at(&points, k + 1)) / interval;
+behind = (*cspan_at(&points, last) - *cspan_at(&points, k + 2)) / interval;
+*cspan_at(&ahead, 5 + axis) = (*cspan_at(&points, k) + 4.0 * *cspan_at(&points, k + 1) + *cspan_at(&points, k + 2)) / 6.0;
+*cspan_at(&ahead, 8 + axis) = 0.5 * (before + here);
+*cspan_at(&ahead, 11 + axis) = (here - before) / interval;
+*cspan_at(&ahead, 14 + axis) = (behind - 2.0 * here + before) / (interval * interval);
+}
+}
+static void begin_controlled(array_double_2d operation) {
+int64_t i, axis;
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&operation, 33, i) = *cspan_at(&operation, 32, i);
+}
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&operation, 33, 17 + axis) = 1e+300;
+}
+}
+static int64_t interval_parts(double longest, double interval, array_double_2d operation, double gravity, array_double_2d work) {
+array_double_1d swing, points;
+double length, shortest, inner, phase;
+int64_t k, last;
+swing = span_row(&operation, 32);
+length = *cspan_at(&swing, 2 + 2);
+shortest = length;
+for (k = 0; k < 99; k += 1) {
+points = span_row(&work, 140 + 2);
+inner = *cspan_at(&points, k + 1) + *cspan_at(&points, k + 2);
+last = k + 3;
+length = length + interval * (*cspan_at(&points, k) + 11.0 * inner + *cspan_at(&points, last)) / 24.0;
+shortest = span_min(shortest, length);
+}
+if (!(shortest > 0.0)) {
+shortest = *cspan_at(&swing, 2 + 2);
+}
+phase = interval * sqrt(gravity / shortest);
+if (!(phase < longest * 1000)) {
+return 1000;
+}
+return 1 + (int64_t)(phase / longest);
+}
+static void add_moments(int64_t knot, double since, double step, double interval, array_double_1d moment, array_double_1d free, array_double_1d pull) {
+int64_t k, i, j;
+double value, whole, late, later, place, rate;
+for (k = 0; k < 14 - 2; k += 1) {
+value = 0.0;
+for (i = 0; i < k + 1; i += 1) {
+value = value - *cspan_at(&pull, i) * *cspan_at(&free, k - i);
+}
+*cspan_at(&free, k + 2) = value / ((k + 1) * (k + 2));
+}
+whole = 0.0;
+late = 0.0;
+later = 0.0;
+place = 0.0;
+rate = 0.0;
+for (j = 0; j < 14; j += 1) {
+i = 14 - 1 - j;
+whole = whole * step + *cspan_at(&free, i) / (i + 1);
+late = late * step + *cspan_at(&free, i) / (i + 2);
+later = later * step + *cspan_at(&free, i) / (i + 3);
+rate = rate * step + place;
+place = place * step + *cspan_at(&free, i);
+}
+whole = whole * step;
+late = late * step * step;
+later = later * step * step * step;
+later = (since * since * whole + 2.0 * since * late + later) / (interval * interval);
+late = (since * whole + late) / interval;
+*cspan_at(&moment, knot) = *cspan_at(&moment, knot) + (0.5 * whole - late + 0.5 * later) / interval;
+*cspan_at(&moment, knot + 1) = *cspan_at(&moment, knot + 1) + (0.5 * whole + late - later) / interval;
+*cspan_at(&moment, knot + 2) = *cspan_at(&moment, knot + 2) + 0.5 * later / interval;
+*cspan_at(&free, 0) = place;
+*cspan_at(&free, 1) = rate;
+}
+static double run_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_2d work) {
+double gravity, step, frequency, found, away, rate, result;
+array_double_1d ahead;
+int64_t j, k, parts, i, axis;
+gravity = *cspan_at(&known, 0, 3);
+ahead = span_row(&operation, 33);
+begin_controlled(operation);
+for (j = 0; j < 2; j += 1) {
+for (k = 0; k < 102; k += 1) {
+*cspan_at(&work, 143 + j, k) = 0.0;
+}
+*cspan_at(&work, 138 + j, 0) = 1.0 - j;
+*cspan_at(&work, 138 + j, 1) = j * swing_frequency(gravity, ahead);
+}
+parts = interval_parts(0.3, interval, operation, gravity, work);
+step = interval / parts;
+for (k = 0; k < 99; k += 1) {
+set_knot(k, interval, ahead, span_rows(&work, 140, 143));
+for (i = 0; i < parts; i += 1) {
+expand_swing(gravity, ahead, work);
+if (!(*cspan_at(&work, 136, 0) > 0.0)) {
+return 1e+300;
+}
+for (j = 0; j < 2; j += 1) {
+add_moments(k, i * step, step, interval, span_row(&work, 143 + j), span_row(&work, 138 + j), span_row(&work, 136));
+}
+move_swing(step, ahead, work);
+}
+}
+frequency = swing_frequency(gravity, ahead);
+found = 0.0;
+for (axis = 0; axis < 2; axis += 1) {
+away = *cspan_at(&ahead, 20 + axis);
+rate = *cspan_at(&ahead, 23 + axis) / frequency;
+found = found + away * away + rate * rate;
+}
+result = sqrt(found) / *cspan_at(&ahead, 2 + 2);
+return result;
+}
+static bool fits_plan(double interval, array_double_2d operation, array_double_2d known, array_double_2d work) {
+double gravity;
+bool result;
+gravity = *cspan_at(&known, 0, 3);
+result = interval_parts(0.2, interval, operation, gravity, work) <= 4;
+return result;
+}
+static void write_controlled(double interval, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+double gravity, step;
+array_double_1d ahead;
+int64_t parts, rows, count, k, i, axis, row;
+gravity = *cspan_at(&known, 0, 3);
+ahead = span_row(&operation, 33);
+parts = span_min_int(2 + interval_parts(0.05, interval, operation, gravity, work), 4);
+begin_controlled(operation);
+step = interval / parts;
+rows = 99 * 4;
+count = 0;
+for (k = 0; k < 99; k += 1) {
+set_knot(k, interval, ahead, span_rows(&work, 140, 143));
+for (i = 0; i < parts; i += 1) {
+expand_swing(gravity, ahead, work);
+move_swing(0.5 * step, ahead, work);
+expand_swing(gravity, ahead, work);
+for (axis = 0; axis < 3; axis += 1) {
+row = axis * rows + count;
+write_swing_piece(axis, row, 0.5 * step, ahead, coefficients, work);
+*cspan_at(&timing, 4, row, 0) = k * interval + i * step;
+*cspan_at(&timing, 4, row, 1) = step;
+}
+move_swing(0.5 * step, ahead, work);
+count = count + 1;
+}
+}
+gather_axes(rows, count, 4, timing, coefficients, offsets);
+}
+static void set_range(double centre, double radius, array_double_1d found) {
+*cspan_at(&found, 0) = centre;
+*cspan_at(&found, 1) = radius;
+}
+static void add_range(double share, array_double_1d a, array_double_1d found) {
+*cspan_at(&found, 0) = *cspan_at(&found, 0) + share * *cspan_at(&a, 0);
+*cspan_at(&found, 1) = *cspan_at(&found, 1) + fabs(share) * *cspan_at(&a, 1);
+}
+static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found) {
+double radius;
+radius = fabs(*cspan_at(&a, 0)) * *cspan_at(&b, 1);
+radius = radius + *cspan_at(&a, 1) * (fabs(*cspan_at(&b, 0)) + *cspan_at(&b, 1));
+*cspan_at(&found, 0) = *cspan_at(&found, 0) + share * *cspan_at(&a, 0) * *cspan_at(&b, 0);
+*cspan_at(&found, 1) = *cspan_at(&found, 1) + fabs(share) * radius;
+}
+static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found) {
+double quotient, least;
+quotient = *cspan_at(&a, 0) / *cspan_at(&b, 0);
+least = *cspan_at(&b, 0) - *cspan_at(&b, 1);
+*cspan_at(&found, 1) = (*cspan_at(&a, 1) + fabs(quotient) * *cspan_at(&b, 1)) / least;
+*cspan_at(&found, 0) = quotient;
+}
+static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found) {
+double total, value;
+int64_t used, j, i, k;
+total = 0.0;
+value = 0.0;
+used = radius > 0.0 ? width : order + 1;
+for (j = 0; j < used - order; j += 1) {
+i = used - 1 - j;
+value = *cspan_at(&piece, i);
+for (k = 0; k < order; k += 1) {
+value = value * (i - k);
+}
+if (i > order) {
+total = (total + fabs(value)) * radius;
+}
+}
+set_range(value, total, found);
+}
+static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+int64_t width, axis, last, row, i, order, place;
+double middle, radius, local;
+array_double_1d piece;
+width = coefficients.shape[1];
+middle = 0.5 * (begin + end);
+radius = 0.5 * (end - begin);
+piece = span_row(&work, 88);
+for (axis = 0; axis < 3; axis += 1) {
+last = *cspan_at(&offsets, axis + 1);
+row = find_piece(middle, timing, *cspan_at(&offsets, axis), last);
+for (i = 0; i < width; i += 1) {
+*cspan_at(&piece, i) = *cspan_at(&coefficients, row, i);
+}
+local = middle - *cspan_at(&timing, row, 0);
+if (local > *cspan_at(&timing, row, 1)) {
+*cspan_at(&piece, 0) = evaluate_piece(coefficients, row, width, *cspan_at(&timing, row, 1), 0);
+for (i = 1; i < width; i += 1) {
+*cspan_at(&piece, i) = 0.0;
+}
+}
+else {
+polynomial_shift(piece, local, width);
+}
+for (order = 0; order < 5; order += 1) {
+place = 89 + 0 + 3 * order + axis;
+write_derivative(order, width, radius, piece, span_row(&work, place));
+}
+}
+}
+static void write_slope(int64_t axis, array_double_2d reach) {
+array_double_1d slope, rate, pull, pull_rate, total;
+slope = span_row(&reach, 16 + axis);
+rate = span_row(&reach, 18 + axis);
+pull = span_row(&reach, 15);
+pull_rate = span_row(&reach, 9 + 2);
+total = span_row(&reach, 26);
+divide_range(span_row(&reach, 6 + axis), pull, slope);
+set_range(0.0, 0.0, total);
+add_range(1.0, span_row(&reach, 9 + axis), total);
+add_range_product(-1.0, slope, pull_rate, total);
+divide_range(total, pull, rate);
+set_range(0.0, 0.0, total);
+add_range(1.0, span_row(&reach, 12 + axis), total);
+add_range_product(-2.0, rate, pull_rate, total);
+add_range_product(-1.0, slope, span_row(&reach, 12 + 2), total);
+divide_range(total, pull, span_row(&reach, 20 + axis));
+}
+static void write_stretch(array_double_2d reach) {
+array_double_1d total, stretch, rate, slope_rate;
+int64_t axis;
+double root;
+total = span_row(&reach, 26);
+stretch = span_row(&reach, 22);
+rate = span_row(&reach, 23);
+set_range(1.0, 0.0, total);
+for (axis = 0; axis < 2; axis += 1) {
+add_range_product(1.0, span_row(&reach, 16 + axis), span_row(&reach, 16 + axis), total);
+}
+root = sqrt(*cspan_at(&total, 0));
+set_range(root, *cspan_at(&total, 1) / (1.0 + root), stretch);
+set_range(0.0, 0.0, total);
+for (axis = 0; axis < 2; axis += 1) {
+slope_rate = span_row(&reach, 18 + axis);
+add_range_product(1.0, span_row(&reach, 16 + axis), slope_rate, total);
+}
+divide_range(total, stretch, rate);
+set_range(0.0, 0.0, total);
+for (axis = 0; axis < 2; axis += 1) {
+slope_rate = span_row(&reach, 18 + axis);
+add_range_product(1.0, slope_rate, slope_rate, total);
+add_range_product(1.0, span_row(&reach, 16 + axis), span_row(&reach, 20 + axis), total);
+}
+add_range_product(-1.0, rate, rate, total);
+divide_range(total, stretch, span_row(&reach, 24));
+}
+static void write_drive(int64_t drive, double ahead, array_double_1d factor, array_double_1d rate, array_double_1d change, array_double_2d reach) {
+array_double_1d place, velocity, acceleration;
+place = span_row(&reach, 27 + 12 + drive);
+velocity = span_row(&reach, 27 + 3 + drive);
+acceleration = span_row(&reach, 27 + 6 + drive);
+set_range(0.0, 0.0, place);
+add_range(ahead, span_row(&reach, 0 + drive), place);
+add_range_product(-1.0, span_row(&reach, 0 + 2), factor, place);
+set_range(0.0, 0.0, velocity);
+add_range(ahead, span_row(&reach, 3 + drive), velocity);
+add_range_product(-1.0, span_row(&reach, 3 + 2), factor, velocity);
+add_range_product(-1.0, span_row(&reach, 0 + 2), rate, velocity);
+set_range(0.0, 0.0, acceleration);
+add_range(ahead, span_row(&reach, 6 + drive), acceleration);
+add_range_product(-1.0, span_row(&reach, 6 + 2), factor, acceleration);
+add_range_product(-2.0, span_row(&reach, 3 + 2), rate, acceleration);
+add_range_product(-1.0, span_row(&reach, 0 + 2), change, acceleration);
+}
+static void add_resistance(int64_t drive, array_double_1d crane, array_double_2d reach) {
+array_double_1d velocity;
+double most, dry, smooth;
+velocity = span_row(&reach, 27 + 3 + drive);
+most = fabs(*cspan_at(&velocity, 0)) + *cspan_at(&velocity, 1);
+dry = span_max(*cspan_at(&crane, 10 + drive), *cspan_at(&crane, 7 + drive));
+smooth = *cspan_at(&crane, 4 + drive) + *cspan_at(&crane, 13 + drive) * most;
+set_range(0.0, dry + smooth * most, span_row(&reach, 25));
+add_range(1.0, span_row(&reach, 25), span_row(&reach, 27 + 0 + drive));
+}
+static void write_forces(array_double_1d crane, array_double_2d reach) {
+double payload;
+int64_t drive;
+array_double_1d force, acceleration, power;
+payload = *cspan_at(&crane, 2);
+for (drive = 0; drive < 2; drive += 1) {
+force = span_row(&reach, 27 + 0 + drive);
+set_range(0.0, 0.0, force);
+acceleration = span_row(&reach, 27 + 6 + drive);
+add_range(carriage_mass(crane, drive), acceleration, force);
+add_range(payload, span_row(&reach, 6 + drive), force);
+}
+force = span_row(&reach, 27 + 0 + 2);
+set_range(0.0, 0.0, force);
+add_range_product(-payload, span_row(&reach, 15), span_row(&reach, 22), force);
+for (drive = 0; drive < 3; drive += 1) {
+add_resistance(drive, crane, reach);
+power = span_row(&reach, 27 + 9 + drive);
+set_range(0.0, 0.0, power);
+add_range_product(1.0, span_row(&reach, 27 + 0 + drive), span_row(&reach, 27 + 3 + drive), power);
+}
+}
+static void lead_velocities(array_double_1d crane, array_double_2d reach) {
+int64_t drive;
+for (drive = 0; drive < 3; drive += 1) {
+add_range(*cspan_at(&crane, 18 + drive), span_row(&reach, 27 + 6 + drive), span_row(&reach, 27 + 3 + drive));
+}
+}
+static void write_sway(array_double_2d reach) {
+array_double_1d q_x, q_y;
+double across, most;
+q_x = span_row(&reach, 16);
+q_y = span_row(&reach, 16 + 1);
+across = *cspan_at(&q_x, 0) / sqrt(1.0 + *cspan_at(&q_y, 0) * *cspan_at(&q_y, 0));
+most = fabs(*cspan_at(&q_x, 0)) + *cspan_at(&q_x, 1);
+set_range(-atan(across), *cspan_at(&q_x, 1) + most * *cspan_at(&q_y, 1), span_row(&reach, 27 + 15));
+set_range(atan(*cspan_at(&q_y, 0)), *cspan_at(&q_y, 1), span_row(&reach, 27 + 15 + 1));
+}
+static bool write_demands(array_double_1d crane, array_double_2d work) {
+array_double_2d reach;
+array_double_1d pull;
+int64_t axis;
+reach = span_rows(&work, 89, 169);
+pull = span_row(&reach, 15);
+set_range(*cspan_at(&crane, 3), 0.0, pull);
+add_range(1.0, span_row(&reach, 6 + 2), pull);
+if (!(*cspan_at(&pull, 0) > *cspan_at(&pull, 1))) {
+return 0;
+}
+write_slope(0, reach);
+write_slope(1, reach);
+write_stretch(reach);
+for (axis = 0; axis < 2; axis += 1) {
+write_drive(axis, 1.0, span_row(&reach, 16 + axis), span_row(&reach, 18 + axis), span_row(&reach, 20 + axis), reach);
+}
+write_drive(2, 0.0, span_row(&reach, 22), span_row(&reach, 23), span_row(&reach, 24), reach);
+write_forces(crane, reach);
+lead_velocities(crane, reach);
+write_sway(reach);
+return 1;
+}
+static bool write_reach(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d crane, array_double_2d work) {
+bool result;
+write_load(begin, end, timing, coefficients, offsets, work);
+result = write_demands(crane, work);
+return result;
+}
+static int64_t judge_reach(int64_t first, int64_t last, array_double_1d bounds, array_double_2d work) {
+double rounding, bound, value;
+int64_t i, side, proved;
+array_double_1d demand;
+proved = 1;
+rounding = 1.0 + 1e-09;
+for (i = first; i < last; i += 1) {
+demand = span_row(&work, 89 + 27 + i);
+for (side = 0; side < 2; side += 1) {
+bound = bound_magnitude(i, side, bounds) * rounding;
+if (bound != 0.0) {
+value = (1.0 - 2.0 * side) * *cspan_at(&demand, 0);
+value = value - bound_origin(i, side, bounds);
+if (!(value <= bound)) {
+return -1;
+}
+if (!(value + *cspan_at(&demand, 1) <= bound)) {
+proved = 0;
+}
+}
+}
+}
+return proved;
+}
+static bool keeps_between(int64_t first, int64_t last, double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+int64_t depth, place, found;
+double length, start;
+depth = 0;
+place = 0;
+while((depth > 0) || (place == 0)) {
+length = (end - begin) * pow(0.5, (double)(depth));
+start = begin + place * length;
+found = 0;
+if (write_reach(start, start + length, timing, coefficients, offsets, span_row(&known, 0), work)) {
+found = judge_reach(first, last, span_row(&known, 2), work);
+}
+if ((found < 0) || ((found == 0) && (depth == 10))) {
+return 0;
+}
+if (found == 0) {
+place = 2 * place;
+depth = depth + 1;
+}
+else {
+place = place + 1;
+while((depth > 0) && (span_floor_mod(place, 2) == 0)) {
+place = span_floor_div(place, 2);
+depth = depth - 1;
+}
+}
+}
+return 1;
+}
+static bool keeps_demands(int64_t first, int64_t last, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double time, until;
+int64_t intervals;
+if (!segfmu_has_bounds(first, last, span_row(&known, 2))) {
+return 1;
+}
+time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
+until = interval_end(time, timing, offsets);
+intervals = 0;
+while((until > time) || (intervals == 0)) {
+intervals = intervals + 1;
+if (!keeps_between(first, last, time, until, timing, coefficients, offsets, known, work)) {
+return 0;
+}
+time = until;
+until = interval_end(time, timing, offsets);
+}
+return 1;
+}
+bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+bool result;
+result = keeps_demands(0, 17, timing, coefficients, offsets, known, work);
+return result;
+}
+static bool keeps_limits(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work) {
+int64_t first, axis, i, j;
+array_double_2d times;
+bool result;
+first = 4 * 4;
+times = span_rows(&work, 81, 84);
+for (axis = 0; axis < 3; axis += 1) {
+for (i = 0; i < states.shape[2]; i += 1) {
+*cspan_at(&states, 0, axis, i) = *cspan_at(&operation, 19 + axis, i);
+*cspan_at(&states, 1, axis, i) = 0.0;
+}
+*cspan_at(&states, 1, axis, 0) = standstill(4, axis, timing, coefficients, offsets);
+*cspan_at(&times, 0, axis) = 0.0;
+for (j = 1; j < states.shape[0] + 1; j += 1) {
+*cspan_at(&times, j, axis) = plan_end(4, axis, timing, offsets);
+}
+}
+result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 312, 360)) == 0;
+return result;
+}
+static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+int64_t first, contact;
+array_int64_t_1d pieces;
+first = 4 * 4;
+pieces = span_part(&offsets, first, first + 4);
+if (segfmu_check_rope(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 1), span_rows(&work, 0, 52), span_row(&work, 80)) != 0) {
+return 3;
+}
+contact = segfmu_space_contact(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 4), span_rows(&known, 9, 25), span_rows(&work, 52, 74), span_rows(&work, 0, 52), stack, span_rows(&work, 74, 80), 0, span_row(&work, 80));
+if (contact == 3) {
+return 4;
+}
+if (contact != 0) {
+return 5;
+}
+if (!keeps_demands(12, 15, span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, known, work)) {
+return 8;
+}
+if (!keeps_demands(0, demands, span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, known, work)) {
+return 6;
+}
+return 0;
+}
+static int64_t prove_plan(array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead, array_double_2d work, array_double_3d stack) {
+int64_t result;
+if (!keeps_limits(operation, limits, known, timing, coefficients, offsets, states, lead, work)) {
+return 2;
+}
+result = prove_crane(17, known, timing, coefficients, offsets, work, stack);
+return result;
+}
+static double used_share(void) {
+return 0.998;
+}
+static bool brake_hoist(double share, double interval, array_double_2d known, array_double_2d work) {
+array_double_1d points;
+int64_t i;
+double fall, rise;
+bool result;
+points = span_row(&work, 140 + 2);
+for (i = 3; i < 102; i += 1) {
+fall = most_change(2, -1.0, share, interval, known);
+rise = most_change(2, 1.0, share, interval, known);
+*cspan_at(&points, i) = *cspan_at(&points, i - 1) + span_min(span_max(-*cspan_at(&points, i - 1), -fall), rise);
+}
+result = *cspan_at(&points, 99) == 0.0;
+return result;
+}
+static void set_way(int64_t axis, array_double_2d operation, array_double_2d work) {
+double sense;
+sense = 1.0;
+if (axis == 2) {
+sense = -1.0;
+}
+*cspan_at(&work, 150, 2) = sense * *cspan_at(&operation, 1, 1 + axis) - *cspan_at(&operation, 32, 2 + axis);
+}
+static int64_t most_runs(void) {
+return 30;
+}
+static bool calms_within(double duration, double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
+array_double_1d swing, aims;
+int64_t last, axis, Dummy_0000;
+double interval, frequency, before, angle;
+swing = span_row(&operation, 32);
+aims = span_row(&work, 150);
+last = 2;
+interval = duration / 99;
+frequency = swing_frequency(*cspan_at(&known, 0, 3), swing);
+set_control_start(interval, swing, work);
+for (axis = 0; axis < 2; axis += 1) {
+decline_line(axis, work);
+}
+if (*cspan_at(&operation, 1, 0) > 0.5) {
+last = 3;
+set_way(2, operation, work);
+if (!find_centre(2, share, interval, 2, last, aims, known, work)) {
+return 0;
+}
+}
+else if (!brake_hoist(share, interval, known, work)) {
+return 0;
+}
+if (!fits_plan(interval, operation, known, work)) {
+return 0;
+}
+before = 1e+300;
+for (Dummy_0000 = 0; Dummy_0000 < most_runs(); Dummy_0000 += 1) {
+angle = run_controlled(interval, operation, known, work);
+if ((angle < 1e-12) || ((angle < 1e-10) && (angle > 0.5 * before))) {
+return 1;
+}
+before = angle;
+for (axis = 0; axis < 2; axis += 1) {
+set_way(axis, operation, work);
+*cspan_at(&aims, 0) = *cspan_at(&swing, 23 + axis);
+*cspan_at(&aims, 0 + 1) = (-frequency) * *cspan_at(&swing, 20 + axis);
+if (!find_centre(axis, share, interval, 0, last, aims, known, work)) {
+return 0;
+}
+}
+}
+return 0;
+}
+static double least_time(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
+array_double_1d swing;
+double frequency, least, velocity, place, rate, way, fastest, found;
+int64_t axis;
+swing = span_row(&operation, 32);
+frequency = swing_frequency(*cspan_at(&known, 0, 3), swing);
+found = 0.001 / frequency;
+for (axis = 0; axis < 3; axis += 1) {
+least = span_min(control_bound(6 + axis, 1.0, share, 0.0, known), control_bound(6 + axis, -1.0, share, 0.0, known));
+velocity = fabs(*cspan_at(&swing, 5 + axis));
+if (axis < 2) {
+place = frequency * *cspan_at(&swing, 20 + axis);
+rate = *cspan_at(&swing, 23 + axis);
+velocity = span_max(velocity, sqrt(place * place + rate * rate));
+}
+found = span_max(found, velocity / least);
+if (*cspan_at(&operation, 1, 0) > 0.5) {
+set_way(axis, operation, work);
+way = *cspan_at(&work, 150, 2);
+fastest = control_bound(3 + axis, way, share, 0.0, known);
+if (fastest > 0.0) {
+found = span_max(found, fabs(way) / fastest);
+}
+}
+}
+return found;
+}
+static int64_t most_growths(void) {
+return 20;
+}
+static double seek_calm(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
+double tried, missed, found;
+int64_t count;
+tried = least_time(share, operation, known, work);
+missed = tried;
+count = 0;
+while(!calms_within(tried, share, operation, known, work)) {
+missed = tried;
+tried = 1.25 * tried;
+count = count + 1;
+if (count == most_growths()) {
+return 0.0;
+}
+}
+found = tried;
+while(found > 1.01 * missed) {
+tried = 0.5 * (missed + found);
+if (calms_within(tried, share, operation, known, work)) {
+found = tried;
+}
+else {
+missed = tried;
+}
+}
+if ((tried != found) && (!calms_within(found, share, operation, known, work))) {
+return 0.0;
+}
+return found;
+}
+static int64_t plan_calm(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+int64_t drive, Dummy_0000, status;
+double share, duration;
+for (drive = 0; drive < 3; drive += 1) {
+if (!(*cspan_at(&known, 2, 6 + drive) > 0.0)) {
+return 6;
+}
+}
+status = 6;
+share = used_share();
+for (Dummy_0000 = 0; Dummy_0000 < 4; Dummy_0000 += 1) {
+duration = seek_calm(share, operation, known, work);
+if (duration == 0.0) {
+return 6;
+}
+write_controlled(duration / 99, operation, known, timing, coefficients, offsets, work);
+status = prove_crane(15, known, timing, coefficients, offsets, work, stack);
+if (status != 6) {
+return status;
+}
+share = 0.7 * share;
+}
+return status;
+}
+static void invert_flat(array_double_2d known, array_double_2d work) {
+segfmu_crane_flat_inverse(span_rows(&work, 161, 166), span_row(&known, 0), span_row(&work, 166), span_row(&work, 167), span_row(&work, 168));
+}
+static void note_swing(array_double_2d operation, array_double_2d known, array_double_2d work) {
+array_double_2d flat;
+array_double_1d swing, state;
+int64_t axis, order;
+flat = span_rows(&work, 161, 166);
+swing = span_row(&operation, 32);
+for (axis = 0; axis < 3; axis += 1) {
+for (order = 0; order < 5; order += 1) {
+*cspan_at(&flat, order, axis) = *cspan_at(&operation, 19 + axis, order);
+}
+}
+invert_flat(known, work);
+state = span_row(&work, 167);
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&swing, 2 + axis) = *cspan_at(&state, 0 + axis);
+*cspan_at(&swing, 5 + axis) = *cspan_at(&state, 5 + axis);
+*cspan_at(&swing, 20 + axis) = *cspan_at(&flat, 0, axis);
+*cspan_at(&swing, 23 + axis) = *cspan_at(&flat, 1, axis);
+if (axis < 2) {
+*cspan_at(&swing, 20 + axis) = *cspan_at(&swing, 20 + axis) - *cspan_at(&swing, 2 + axis);
+*cspan_at(&swing, 23 + axis) = *cspan_at(&swing, 23 + axis) - *cspan_at(&swing, 5 + axis);
+}
+}
+}
+static void note_trips(array_double_2d operation) {
+int64_t drive;
+for (drive = 0; drive < 3; drive += 1) {
+*cspan_at(&operation, 32, 28 + drive) = *cspan_at(&operation, 0, 17 + drive);
+}
+}
+static double brake_of(int64_t drive, int64_t side, double share, array_double_1d swing, array_double_2d known) {
+double most, own;
+most = bound_magnitude(6 + drive, side, span_row(&known, 2));
+if (*cspan_at(&swing, 28 + drive) > 0.5) {
+own = *cspan_at(&known, 3, 0 + drive);
+if (own > 0.0) {
+return own;
+}
+return most;
+}
+return share * most;
+}
+static double least_brake(int64_t drive, array_double_1d swing, array_double_2d known) {
+double result;
+result = span_min(brake_of(drive, 0, 1.0, swing, known), brake_of(drive, 1, 1.0, swing, known));
+return result;
+}
+static void set_brakes(double share, array_double_1d swing, array_double_2d known) {
+int64_t axis, side;
+double velocity, most;
+for (axis = 0; axis < 3; axis += 1) {
+velocity = *cspan_at(&swing, 5 + axis);
+*cspan_at(&swing, 8 + axis) = 0.0;
+*cspan_at(&swing, 11 + axis) = 0.0;
+*cspan_at(&swing, 14 + axis) = 0.0;
+*cspan_at(&swing, 17 + axis) = 0.0;
+if (fabs(velocity) > 0.0) {
+side = 0;
+if (velocity > 0.0) {
+side = 1;
+}
+most = brake_of(axis, side, share, swing, known);
+*cspan_at(&swing, 17 + axis) = fabs(velocity) / most;
+*cspan_at(&swing, 8 + axis) = (1.0 - 2.0 * side) * most;
+}
+}
+}
+static bool is_inside(double value, int64_t demand, array_double_2d known) {
+int64_t side;
+double bound;
+side = 0;
+if (value < 0.0) {
+side = 1;
+}
+bound = bound_magnitude(demand, side, span_row(&known, 2));
+return (bound == 0.0) || (fabs(value) <= 0.999 * bound);
+}
+static bool is_bearable(array_double_1d swing, array_double_2d known, array_double_2d work) {
+array_double_2d flat;
+int64_t axis, order, drive;
+double factorial, force, power;
+if (!(*cspan_at(&work, 136, 0) > 0.0)) {
+return 0;
+}
+if (!(*cspan_at(&swing, 20 + 2) < 0.0)) {
+return 0;
+}
+flat = span_rows(&work, 161, 166);
+for (axis = 0; axis < 3; axis += 1) {
+factorial = 1.0;
+for (order = 0; order < 5; order += 1) {
+factorial = factorial * span_max_int(order, 1);
+*cspan_at(&flat, order, axis) = factorial * *cspan_at(&work, 133 + axis, order);
+}
+if (axis < 2) {
+*cspan_at(&flat, 0, axis) = *cspan_at(&flat, 0, axis) + *cspan_at(&swing, 2 + axis);
+*cspan_at(&flat, 1, axis) = *cspan_at(&flat, 1, axis) + *cspan_at(&swing, 5 + axis);
+*cspan_at(&flat, 2, axis) = *cspan_at(&flat, 2, axis) + *cspan_at(&swing, 8 + axis);
+}
+}
+invert_flat(known, work);
+for (drive = 0; drive < 3; drive += 1) {
+if (*cspan_at(&swing, 28 + drive) > 0.5) {
+continue;
+}
+force = *cspan_at(&work, 166, drive);
+power = force * *cspan_at(&swing, 5 + drive);
+if (!is_inside(force, 0 + drive, known)) {
+return 0;
+}
+if (!is_inside(power, 9 + drive, known)) {
+return 0;
+}
+}
+return 1;
+}
+static bool brakes_with(double share, array_double_2d operation, array_double_2d known, array_double_2d work) {
+double gravity, stand;
+array_double_1d swing, ahead;
+int64_t i, pieces, swings;
+gravity = *cspan_at(&known, 0, 3);
+swing = span_row(&operation, 32);
+ahead = span_row(&operation, 33);
+set_brakes(share, swing, known);
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&ahead, i) = *cspan_at(&swing, i);
+}
+stand = stand_time(swing);
+if (!(stand < 1000000000.0 * resolved_step(gravity, swing))) {
+return 0;
+}
+*cspan_at(&swing, 26) = stand;
+pieces = 0;
+swings = 0;
+while((stand_time(ahead) > 0.0) || (swings < 63)) {
+if (stand_time(ahead) == 0.0) {
+if (swings == 0) {
+*cspan_at(&swing, 27) = sway_amplitude(gravity, ahead);
+}
+swings = swings + 1;
+}
+expand_swing(gravity, ahead, work);
+if (!is_bearable(ahead, known, work)) {
+return 0;
+}
+move_swing(swing_step(2.0 * resolved_step(gravity, ahead), ahead), ahead, work);
+pieces = pieces + 1;
+if (pieces > 20000) {
+return 0;
+}
+}
+return 1;
+}
+static bool plan_brakes(array_double_2d operation, array_double_2d known, array_double_2d work) {
+int64_t drive, Dummy_0000;
+double kept, missed, middle;
+bool result;
+for (drive = 0; drive < 3; drive += 1) {
+if (!(least_brake(drive, span_row(&operation, 32), known) > 0.0)) {
+return 0;
+}
+}
+if (brakes_with(1.0, operation, known, work)) {
+return 1;
+}
+kept = 0.0;
+missed = 1.0;
+for (Dummy_0000 = 0; Dummy_0000 < 12; Dummy_0000 += 1) {
+middle = 0.5 * (kept + missed);
+if (brakes_with(middle, operation, known, work)) {
+kept = middle;
+}
+else {
+missed = middle;
+}
+}
+result = (kept > 0.0) && brakes_with(kept, operation, known, work);
+return result;
+}
+static bool plan_emergency(array_double_2d operation, array_double_2d known, array_double_2d work) {
+bool result;
+note_swing(operation, known, work);
+note_trips(operation);
+result = plan_brakes(operation, known, work);
+return result;
+}
+static double covered_time(array_double_2d operation) {
+array_double_1d command;
+double result;
+command = span_row(&operation, 0);
+result = *cspan_at(&command, 1) + *cspan_at(&command, 14);
+return result;
+}
+static void cover_swing(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+write_swing(covered_time(operation), operation, known, timing, coefficients, offsets, work);
+*cspan_at(&operation, 4, 0) = *cspan_at(&operation, 0, 0);
+}
+static bool begin_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+double gravity;
+array_double_1d swing;
+gravity = *cspan_at(&known, 0, 3);
+swing = span_row(&operation, 32);
+if (!plan_emergency(operation, known, work)) {
+*cspan_at(&operation, 4, 2) = 6;
+return 0;
+}
+if ((*cspan_at(&swing, 26) == 0.0) && (*cspan_at(&swing, 27) < 1e-09)) {
+return 0;
+}
+if (covered_time(operation) > 6.0 * 300 * resolved_step(gravity, swing)) {
+return 0;
+}
+*cspan_at(&swing, 0) = 1.0;
+cover_swing(operation, known, timing, coefficients, offsets, work);
+return 1;
+}
+static bool prolong_swing(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+array_double_1d command, swing;
+command = span_row(&operation, 0);
+swing = span_row(&operation, 32);
+if (elapsed + *cspan_at(&command, 1) + 0.501 * *cspan_at(&command, 14) < *cspan_at(&swing, 1)) {
+return 0;
+}
+advance_swing(elapsed, *cspan_at(&known, 0, 3), swing, work);
+cover_swing(operation, known, timing, coefficients, offsets, work);
+return 1;
+}
+bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+array_double_1d command;
+double elapsed;
+bool result;
+command = span_row(&operation, 0);
+if (*cspan_at(&operation, 32, 0) > 0.5) {
+return 1;
+}
+elapsed = *cspan_at(&command, 0) - *cspan_at(&operation, 4, 0);
+note_present(elapsed, operation, timing, coefficients, offsets);
+result = plan_emergency(operation, known, work);
+return result;
+}
+static bool is_calming(array_double_2d operation) {
+bool result;
+result = *cspan_at(&operation, 0, 0) < *cspan_at(&operation, 32, 31);
+return result;
+}
+static bool aims_elsewhere(array_double_2d operation) {
+bool result;
+if (*cspan_at(&operation, 1, 0) > 0.5) {
+result = !is_aim(3, operation);
+return result;
+}
+result = *cspan_at(&operation, 3, 0) > 0.5;
+return result;
+}
+static void note_calming(array_double_2d operation) {
+array_double_1d progress;
+int64_t mode;
+progress = span_row(&operation, 4);
+mode = wanted_mode(span_row(&operation, 0));
+*cspan_at(&progress, 1) = 1;
+if ((mode == 3) || ((mode == 1) && (!aims_elsewhere(operation)))) {
+*cspan_at(&progress, 1) = 0;
+}
+}
+static double next_calm(array_double_2d operation) {
+array_double_1d progress;
+double stands, result;
+progress = span_row(&operation, 4);
+stands = *cspan_at(&progress, 0) + stand_time(span_row(&operation, 32));
+result = span_max(stands, *cspan_at(&progress, 4));
+return result;
+}
+static bool wants_calm(array_double_2d operation) {
+array_double_1d command;
+int64_t mode;
+bool result;
+command = span_row(&operation, 0);
+mode = wanted_mode(command);
+if ((mode == 5) || (mode == 0)) {
+return 0;
+}
+result = *cspan_at(&command, 0) >= next_calm(operation);
+return result;
+}
+static void write_calm_aim(array_double_2d operation) {
+array_double_1d command;
+int64_t i;
+command = span_row(&operation, 0);
+for (i = 0; i < 5; i += 1) {
+*cspan_at(&operation, 1, i) = 0.0;
+}
+if (((int64_t)(*cspan_at(&command, 2)) == 1) && (*cspan_at(&command, 10) >= 1.0)) {
+write_target(1.0, span_row(&operation, 1), command);
+}
+}
+static void follow_calm(array_double_2d operation, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+array_double_1d command, progress, swing;
+int64_t axis, i;
+command = span_row(&operation, 0);
+progress = span_row(&operation, 4);
+swing = span_row(&operation, 32);
+copy_plan(4, 0, timing, coefficients, offsets);
+for (axis = 0; axis < 3; axis += 1) {
+for (i = 0; i < 4; i += 1) {
+*cspan_at(&operation, 6 + axis, i) = 0.0;
+}
+for (i = 0; i < 102; i += 1) {
+*cspan_at(&operation, 35 + axis, i) = *cspan_at(&work, 140 + axis, i);
+}
+}
+*cspan_at(&swing, 0) = 0.0;
+*cspan_at(&swing, 31) = *cspan_at(&command, 0) + plan_end(0, 0, timing, offsets);
+*cspan_at(&progress, 0) = *cspan_at(&command, 0);
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 3) = 0.0;
+*cspan_at(&progress, 12) = 0.0;
+for (i = 0; i < 5; i += 1) {
+*cspan_at(&operation, 3, i) = *cspan_at(&operation, 1, i);
+}
+if (*cspan_at(&operation, 1, 0) < 0.5) {
+*cspan_at(&operation, 3, 0) = -1.0;
+}
+write_calm_aim(operation);
+note_calming(operation);
+}
+static bool try_calm(bool rests, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+array_double_1d progress, aim;
+double radian, retry;
+int64_t status;
+progress = span_row(&operation, 4);
+aim = span_row(&operation, 1);
+radian = 20.0 * resolved_step(*cspan_at(&known, 0, 3), span_row(&operation, 32));
+retry = *cspan_at(&operation, 0, 0) + radian;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
+status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
+if (status != 0) {
+*cspan_at(&progress, 2) = status;
+*cspan_at(&progress, 4) = retry;
+}
+if ((status != 0) && (*cspan_at(&aim, 0) > 0.5) && rests) {
+*cspan_at(&aim, 0) = 0.0;
+status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
+}
+if (status != 0) {
+*cspan_at(&progress, 1) = status;
+return 0;
+}
+follow_calm(operation, timing, coefficients, offsets, work);
+return 1;
+}
+static void take_over(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+advance_swing(elapsed, *cspan_at(&known, 0, 3), span_row(&operation, 32), work);
+cover_swing(operation, known, timing, coefficients, offsets, work);
+write_calm_aim(operation);
+try_calm(1, operation, known, timing, coefficients, offsets, work, stack);
+}
+static void put_aside(array_double_2d operation) {
+int64_t i;
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&operation, 34, i) = *cspan_at(&operation, 32, i);
+}
+}
+static void note_calm_state(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+array_double_1d swing, ahead;
+double begin, interval, since, snap, jerk;
+int64_t k, axis;
+swing = span_row(&operation, 32);
+ahead = span_row(&operation, 33);
+begin = *cspan_at(&operation, 4, 0);
+interval = (*cspan_at(&swing, 31) - begin) / 99;
+k = span_min_int(span_max_int((int64_t)(elapsed / interval), 0), 99 - 1);
+set_knot(k, interval, ahead, span_rows(&operation, 35, 38));
+since = elapsed - k * interval;
+note_present(elapsed, operation, timing, coefficients, offsets);
+note_swing(operation, known, work);
+for (axis = 0; axis < 3; axis += 1) {
+snap = *cspan_at(&ahead, 14 + axis);
+jerk = *cspan_at(&ahead, 11 + axis);
+*cspan_at(&swing, 8 + axis) = *cspan_at(&ahead, 8 + axis) + (jerk + 0.5 * snap * since) * since;
+*cspan_at(&swing, 11 + axis) = jerk + snap * since;
+}
+}
+static void bring_back(array_double_2d operation) {
+int64_t i;
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&operation, 32, i) = *cspan_at(&operation, 34, i);
+}
+}
+static bool calm_on(double elapsed, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+bool straight;
+write_calm_aim(operation);
+if (!aims_elsewhere(operation)) {
+note_calming(operation);
+return 0;
+}
+if (*cspan_at(&operation, 0, 0) < *cspan_at(&operation, 4, 4)) {
+note_calming(operation);
+return 0;
+}
+put_aside(operation);
+note_calm_state(elapsed, operation, known, timing, coefficients, offsets, work);
+straight = *cspan_at(&operation, 3, 0) > 0.5;
+if (try_calm(straight, operation, known, timing, coefficients, offsets, work, stack)) {
+return 1;
+}
+bring_back(operation);
+note_calming(operation);
+return 0;
+}
+static bool is_hanging(array_double_1d command) {
+int64_t i;
+double length, paid_out;
+for (i = 0; i < 10; i += 1) {
+if (!(fabs(*cspan_at(&command, 21 + i)) < 1e+300)) {
+return 0;
+}
+}
+for (i = 0; i < 2; i += 1) {
+if (!(fabs(*cspan_at(&command, 21 + 3 + i)) < 1.5)) {
+return 0;
+}
+}
+length = *cspan_at(&command, 21 + 0 + 2);
+paid_out = *cspan_at(&command, 16) * *cspan_at(&command, 21 + 5 + 2);
+return span_min(length, length + paid_out) > 0.0;
+}
+static int64_t state_status(array_double_1d command) {
+int64_t axis;
+if (!is_hanging(command)) {
+return 3;
+}
+for (axis = 0; axis < 3; axis += 1) {
+if (fabs(*cspan_at(&command, 21 + 0 + axis)) > 1000000.0) {
+return 4;
+}
+}
+return 0;
+}
+static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work) {
+array_double_1d command, state, swing;
+int64_t i, axis;
+double length, stretch, sin_x, cos_x, sin_y, cos_y, rate_x, rate_y;
+command = span_row(&operation, 0);
+state = span_piece(&command, 21, 31);
+swing = span_row(&operation, 32);
+for (i = 0; i < 32; i += 1) {
+*cspan_at(&swing, i) = 0.0;
+}
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&swing, 2 + axis) = *cspan_at(&state, 0 + axis);
+*cspan_at(&swing, 5 + axis) = *cspan_at(&state, 5 + axis);
+*cspan_at(&swing, 17 + axis) = 1e+300;
+}
+length = *cspan_at(&state, 0 + 2);
+stretch = *cspan_at(&state, 5 + 2);
+sin_x = sin(*cspan_at(&state, 3));
+cos_x = cos(*cspan_at(&state, 3));
+sin_y = sin(*cspan_at(&state, 3 + 1));
+cos_y = cos(*cspan_at(&state, 3 + 1));
+rate_x = *cspan_at(&state, 8);
+rate_y = *cspan_at(&state, 8 + 1);
+*cspan_at(&swing, 20) = length * sin_x;
+*cspan_at(&swing, 20 + 1) = (-length) * cos_x * sin_y;
+*cspan_at(&swing, 20 + 2) = (-length) * cos_x * cos_y;
+*cspan_at(&swing, 23) = stretch * sin_x + length * cos_x * rate_x;
+*cspan_at(&swing, 23 + 1) = (-stretch) * cos_x * sin_y + length * (sin_x * sin_y * rate_x - cos_x * cos_y * rate_y);
+*cspan_at(&swing, 23 + 2) = (-stretch) * cos_x * cos_y + length * (sin_x * cos_y * rate_x + cos_x * sin_y * rate_y);
+advance_swing(*cspan_at(&command, 16), *cspan_at(&known, 0, 3), swing, work);
+for (axis = 0; axis < 3; axis += 1) {
+*cspan_at(&swing, 17 + axis) = 0.0;
+}
+}
+int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+array_double_1d progress;
+double retry;
+int64_t refused;
+progress = span_row(&operation, 4);
+*cspan_at(&progress, 17) = *cspan_at(&operation, 0, 20);
+refused = state_status(span_row(&operation, 0));
+if (refused != 0) {
+*cspan_at(&progress, 1) = refused;
+*cspan_at(&progress, 2) = refused;
+return refused;
+}
+put_aside(operation);
+write_measured(operation, known, work);
+write_calm_aim(operation);
+retry = *cspan_at(&progress, 4);
+if (try_calm(1, operation, known, timing, coefficients, offsets, work, stack)) {
+return 0;
+}
+bring_back(operation);
+*cspan_at(&progress, 4) = retry;
+refused = (int64_t)(*cspan_at(&progress, 1));
+return refused;
+}
+static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
+array_double_1d command, progress;
+bool result;
+command = span_row(&operation, 0);
+progress = span_row(&operation, 4);
+if (wanted_mode(command) == 5) {
+return 0;
+}
+if (!(*cspan_at(&command, 20) > 0.5)) {
+*cspan_at(&progress, 17) = 0.0;
+return 0;
+}
+if (*cspan_at(&progress, 17) > 0.5) {
+return 0;
+}
+result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
+return result;
+}
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double power, share, longest, length;
+int64_t order, axis, place;
+bool result;
+write_load(time, time, timing, coefficients, offsets, work);
+power = pace;
+for (order = 1; order < 5; order += 1) {
+share = power;
+if ((order == 1) && (speed > 0.0)) {
+share = speed;
+}
+for (axis = 0; axis < 3; axis += 1) {
+place = 89 + 0 + 3 * order + axis;
+*cspan_at(&work, place, 0) = share * *cspan_at(&work, place, 0);
+}
+power = power * pace;
+if (order > 1) {
+power = power * steepness;
+}
+}
+if (!write_demands(span_row(&known, 0), work)) {
+return 0;
+}
+longest = *cspan_at(&known, 1, 2);
+length = *cspan_at(&work, 89 + 27 + 12 + 2, 0);
+if ((longest > 0.0) && (length > longest * (1.0 + 1e-09))) {
+return 0;
+}
+result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
+return result;
+}
+static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double time, until, at, low, tried, pace;
+int64_t k, i;
+pace = 1.0;
+time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
+until = interval_end(time, timing, offsets);
+while(until > time) {
+for (k = 0; k < 4; k += 1) {
+at = time + (until - time) * k / 4;
+low = 1.0;
+tried = pace;
+for (i = 0; i < 2 + 8; i += 1) {
+if (keeps_at(tried, speed, steepness, at, timing, coefficients, offsets, known, work)) {
+low = tried;
+if (i == 0) {
+break;
+}
+}
+else {
+if (i == 1) {
+return 0.0;
+}
+pace = tried;
+}
+tried = 0.0625;
+if (i > 0) {
+tried = 0.5 * (low + pace);
+}
+}
+pace = low;
+}
+time = until;
+until = interval_end(time, timing, offsets);
+}
+return pace;
+}
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double speed, best, steepest, least, steepness, pace, takes;
+int64_t Dummy_0000;
+speed = 1.0;
+best = 1.0;
+steepest = 1.0;
+least = 1e+300;
+for (Dummy_0000 = 0; Dummy_0000 < 2; Dummy_0000 += 1) {
+steepness = 1.0;
+while((1.0 + 0.5 / steepness < least) && (steepness > 0.01)) {
+pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work);
+if (pace > 0.0) {
+takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness);
+if (takes < least) {
+least = takes;
+best = pace;
+steepest = steepness;
+}
+}
+steepness = 0.25 * steepness;
+}
+if (least < 1e+300) {
+(*result_0) = best;
+(*result_1) = steepest;
+(*result_2) = speed;
+return 0;
+}
+speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work);
+if (speed == 0.0) {
+break;
+}
+}
+(*result_0) = 1.0;
+(*result_1) = 1.0;
+(*result_2) = 1.0;
+return 0;
+}
 static void open_ways(array_double_2d operation, array_double_2d known) {
 int64_t axis;
 for (axis = 0; axis < 3; axis += 1) {
@@ -22674,26 +22799,43 @@ array_double_1d progress;
 int64_t attempt;
 progress = span_row(&operation, 4);
 attempt = (int64_t)(*cspan_at(&progress, 3));
-if ((*cspan_at(&progress, 11) > 0.0) || (!is_aim(3, operation))) {
+if ((*cspan_at(&progress, 12) > 0.0) || (!is_aim(3, operation))) {
 return 0;
 }
-return (attempt == 0) || (attempt == 10);
+return (attempt == 0) || (attempt == 11);
+}
+static bool tells_rope(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known) {
+bool result;
+if (!((status == 3) || (status == 8))) {
+return 0;
+}
+if (attempt >= 7) {
+return 1;
+}
+result = (*cspan_at(&operation, 1, 0) > 0.5) && rests_at_target(operation, known);
+return result;
 }
 static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
 double pace, steepness, speed;
 int64_t first;
-if (!is_slower(attempt + 1)) {
+if ((attempt != 0) && (!is_slower(attempt + 1))) {
 return;
+}
+if (attempt == 1) {
+if (!((status == 6) || tells_rope(attempt, status, operation, known))) {
+return;
+}
+*cspan_at(&operation, 4, 9) = 1.0;
 }
 pace = 1.0;
 steepness = 1.0;
 speed = 1.0;
-if (status == 6) {
+if ((status == 6) || tells_rope(attempt, status, operation, known)) {
 first = 4 * 4;
 ease_within(&pace, &steepness, &speed, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
 }
 note_ease(attempt, pace, steepness, speed, operation);
-if (attempt == 6) {
+if (attempt == 7) {
 stop_as_before(operation);
 }
 }
@@ -22709,37 +22851,53 @@ static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, arr
 array_double_1d progress;
 int64_t following;
 progress = span_row(&operation, 4);
-following = (int64_t)(*cspan_at(&progress, 11));
-*cspan_at(&progress, 11) = 0.0;
+following = (int64_t)(*cspan_at(&progress, 12));
+*cspan_at(&progress, 12) = 0.0;
 if (following > 0) {
 (*result_0_0001) = following - 1;
-(*result_1_0001) = (int64_t)(*cspan_at(&progress, 12));
+(*result_1_0001) = (int64_t)(*cspan_at(&progress, 13));
 return 0;
 }
 open_ways(operation, known);
-*cspan_at(&progress, 13) = 0.0;
+*cspan_at(&progress, 14) = 0.0;
 *cspan_at(&progress, 8) = 1.0;
+*cspan_at(&progress, 9) = 0.0;
 (*result_0_0001) = 0;
 (*result_1_0001) = 0;
 return 0;
 }
+static bool is_nearly_full(int64_t attempt, array_double_2d operation) {
+bool result;
+if ((attempt >= 7) || (!is_slower(attempt))) {
+return 0;
+}
+result = *cspan_at(&operation, 4, 6) > 0.7;
+return result;
+}
 static bool keeps_stopping(int64_t attempt, array_double_2d operation) {
 double stopping;
 bool result;
-if (attempt < 6) {
+if (attempt < 7) {
 return 0;
 }
 stopping = *cspan_at(&operation, 4, 3);
-if ((6 <= stopping) && (stopping < 9)) {
+if ((7 <= stopping) && (stopping < 10)) {
 result = is_aim(3, operation);
 return result;
 }
 return 0;
 }
-static bool is_passed_over(int64_t attempt, int64_t failed, array_double_2d operation) {
+static bool is_passed_over(int64_t attempt, int64_t failed, bool going, array_double_2d operation, array_double_2d known) {
 bool result;
+if (going && (attempt > 0) && (!is_nearly_full(attempt, operation))) {
+return 1;
+}
 if (keeps_stopping(attempt, operation)) {
 return 1;
+}
+if (attempt == 1) {
+result = !(tells_rope(attempt, failed, operation, known) && goes_apart(operation));
+return result;
 }
 result = !is_worth(attempt, failed, span_row(&operation, 1));
 return result;
@@ -22747,19 +22905,25 @@ return result;
 static void put_off(int64_t attempt, int64_t failed, array_double_2d operation) {
 array_double_1d progress;
 progress = span_row(&operation, 4);
-*cspan_at(&progress, 11) = 1 + attempt;
-*cspan_at(&progress, 12) = failed;
+*cspan_at(&progress, 12) = 1 + attempt;
+*cspan_at(&progress, 13) = failed;
 if (!is_aim(3, operation)) {
 *cspan_at(&progress, 1) = 7;
 }
 }
 static bool seek_plan(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work) {
 array_double_1d aim;
-int64_t axis;
 bool slow, result;
+int64_t axis;
 aim = span_row(&operation, 1);
 set_attempt(attempt, operation, limits, known);
-if ((*cspan_at(&aim, 0) > 0.5) && (attempt < 6)) {
+slow = is_slower(attempt) && (attempt < 7);
+if (is_apart(attempt, operation)) {
+choose_apart(ease_of(attempt, 8, operation), operation, limits, known);
+result = seek_velocity(slow, 1e+300, operation, span_matrix(&limits, 1), timing, coefficients, offsets, states, lead);
+return result;
+}
+if ((*cspan_at(&aim, 0) > 0.5) && (attempt < 7)) {
 result = seek_target(operation, limits, known, timing, coefficients, offsets, states, cells, lead, work);
 return result;
 }
@@ -22767,8 +22931,7 @@ for (axis = 0; axis < 3; axis += 1) {
 *cspan_at(&operation, 22, axis) = *cspan_at(&aim, 1 + axis);
 *cspan_at(&operation, 12, axis) = share_of(attempt, axis, operation);
 }
-slow = is_slower(attempt) && (attempt < 6);
-result = seek_velocity(slow, operation, span_matrix(&limits, 1), timing, coefficients, offsets, states, lead);
+result = seek_velocity(slow, usual_hold(operation), operation, span_matrix(&limits, 1), timing, coefficients, offsets, states, lead);
 return result;
 }
 static bool is_stop(array_double_1d aim) {
@@ -22786,9 +22949,12 @@ static int64_t rank(int64_t attempt, array_double_2d operation) {
 if (is_stop(span_row(&operation, 1))) {
 return 0;
 }
-if (attempt <= 2) {
-if (*cspan_at(&operation, 4, 13) > 0.0) {
-return 10;
+if (is_apart(attempt, operation)) {
+return 1;
+}
+if (attempt <= 3) {
+if (*cspan_at(&operation, 4, 14) > 0.0) {
+return 11;
 }
 return 0;
 }
@@ -22831,26 +22997,29 @@ for (i = 0; i < 4; i += 1) {
 }
 keep_ways(operation);
 *cspan_at(&progress, 0) = *cspan_at(&operation, 0, 0);
-*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 *cspan_at(&progress, 1) = 0;
 if ((attempt > 0) || is_slowed(operation)) {
 *cspan_at(&progress, 1) = 1;
 }
 note_taken(attempt, operation);
+if (attempt == 1) {
+retry_later(operation, timing, offsets);
+}
 }
 static bool blocks(int64_t attempt, array_double_2d operation, array_double_2d known, array_double_2d work) {
 array_double_1d progress;
 progress = span_row(&operation, 4);
-if ((attempt >= 6) || (*cspan_at(&operation, 1, 0) > 0.5)) {
+if ((attempt >= 7) || (*cspan_at(&operation, 1, 0) > 0.5)) {
 return 0;
 }
-if (!(*cspan_at(&progress, 13) < 3.0)) {
+if (!(*cspan_at(&progress, 14) < 3.0)) {
 return 0;
 }
 if (!end_before_obstacle(operation, known, work)) {
 return 0;
 }
-*cspan_at(&progress, 13) = *cspan_at(&progress, 13) + 1.0;
+*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
 return 1;
 }
 static bool holds_until_next(array_double_2d operation) {
@@ -22870,7 +23039,7 @@ copy_plan(1, 4, timing, coefficients, offsets);
 if (!prolong_holds(elapsed, operation, timing, coefficients, offsets)) {
 return 0;
 }
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
 status = prove_plan(operation, limits, known, timing, coefficients, offsets, states, lead, work, stack);
 if (status != 0) {
 *cspan_at(&progress, 2) = status;
@@ -22884,11 +23053,13 @@ return 1;
 static bool attempt_plans(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack) {
 array_double_1d progress;
 int64_t attempt, failed, tries, status;
+bool going;
 progress = span_row(&operation, 4);
 first_attempt(&attempt, &failed, operation, known);
+going = goes_on(operation, timing, offsets);
 tries = 0;
-while(attempt < 9) {
-if (is_passed_over(attempt, failed, operation)) {
+while(attempt < 10) {
+if (is_passed_over(attempt, failed, going, operation, known)) {
 attempt = attempt + 1;
 continue;
 }
@@ -22897,18 +23068,18 @@ put_off(attempt, failed, operation);
 return 0;
 }
 tries = tries + 1;
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
 status = 2;
 if (seek_plan(attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead, work)) {
 status = prove_plan(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets, states, lead, work, stack);
 }
 if (status == 0) {
-*cspan_at(&progress, 9) = ease_of(attempt, 6, operation);
-*cspan_at(&progress, 10) = ease_of(attempt, 7, operation);
+*cspan_at(&progress, 10) = ease_of(attempt, 6, operation);
+*cspan_at(&progress, 11) = ease_of(attempt, 7, operation);
 take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
 return 1;
 }
-if ((failed == 0) && (*cspan_at(&progress, 13) == 0.0)) {
+if ((failed == 0) && (*cspan_at(&progress, 14) == 0.0)) {
 *cspan_at(&progress, 2) = status;
 }
 choose_ease(attempt, status, operation, known, timing, coefficients, offsets, work);
@@ -22918,7 +23089,7 @@ attempt = attempt + 1;
 }
 else if (keeps_blocked(operation)) {
 *cspan_at(&progress, 1) = 1;
-note_taken(10, operation);
+note_taken(11, operation);
 if (holds_until_next(operation)) {
 return 0;
 }
@@ -22927,10 +23098,15 @@ return 1;
 }
 }
 }
+if (going) {
+note_taken(1, operation);
+retry_later(operation, timing, offsets);
+return 0;
+}
 if (failed > 0) {
 *cspan_at(&progress, 1) = *cspan_at(&progress, 2);
 }
-note_taken(9, operation);
+note_taken(10, operation);
 return 0;
 }
 static bool trips(array_double_2d operation) {
@@ -22977,10 +23153,10 @@ for (i = 0; i < 4; i += 1) {
 *cspan_at(&operation, 6 + axis, i) = 0.0;
 }
 }
-*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 *cspan_at(&progress, 1) = 0;
 *cspan_at(&progress, 3) = 0.0;
-*cspan_at(&progress, 11) = 0.0;
+*cspan_at(&progress, 12) = 0.0;
 *cspan_at(&progress, 4) = *cspan_at(&operation, 0, 0);
 *cspan_at(&progress, 5) = 5;
 *cspan_at(&operation, 32, 31) = *cspan_at(&operation, 0, 0);
@@ -23004,7 +23180,7 @@ if (*cspan_at(&progress, 3) == 0) {
 result = holds_long_enough(elapsed, operation);
 return result;
 }
-if ((*cspan_at(&progress, 11) > 0.0) || is_due(operation)) {
+if ((*cspan_at(&progress, 12) > 0.0) || is_due(operation)) {
 return 0;
 }
 result = (!is_prolonged(operation)) || holds_long_enough(elapsed, operation);
@@ -23061,7 +23237,7 @@ for (i = 0; i < 5; i += 1) {
 }
 write_aim(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets);
 if (!is_aim(2, operation)) {
-*cspan_at(&progress, 11) = 0.0;
+*cspan_at(&progress, 12) = 0.0;
 }
 if (is_served(elapsed, operation)) {
 return 0;
@@ -23114,7 +23290,7 @@ if (is_calming(operation)) {
 result = *cspan_at(&swing, 31);
 return result;
 }
-if ((*cspan_at(&progress, 3) > 0.0) || (*cspan_at(&progress, 11) > 0.0)) {
+if ((*cspan_at(&progress, 3) > 0.0) || (*cspan_at(&progress, 12) > 0.0)) {
 result = span_max(*cspan_at(&progress, 4), *cspan_at(&command, 0) + 0.25 * *cspan_at(&command, 14));
 return result;
 }

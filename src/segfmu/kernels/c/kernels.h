@@ -105,9 +105,6 @@ SEGFMU_API int64_t segfmu_cut_plan(double time, array_double_2d timing, array_do
 SEGFMU_API void segfmu_meet_ends(double clock, double dwell, array_double_2d timing, array_int64_t_1d offsets);
 SEGFMU_API void segfmu_anchor_plan(array_double_2d ends, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets);
 SEGFMU_API int64_t segfmu_join_plans(array_double_2d lead_timing, array_double_2d lead_coefficients, array_int64_t_1d lead_offsets, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d joined_timing, array_double_2d joined_coefficients, array_int64_t_1d joined_offsets);
-SEGFMU_API bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-SEGFMU_API bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
-SEGFMU_API int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 SEGFMU_API int64_t segfmu_measure_phases(double* result_0, double* result_1, double* result_2_0001, double* result_3, double* result_4, array_double_2d phases, int64_t count, double v, double within_0001, array_double_1d axis);
 SEGFMU_API void segfmu_axis_limits(int64_t smoothness, int64_t shape, array_double_1d limits, array_double_1d axis);
 SEGFMU_API bool segfmu_ramp_parameters(double share, array_double_1d axis, array_double_2d work);
@@ -122,6 +119,9 @@ SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dw
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
 SEGFMU_API bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d spare_timing, array_double_2d spare_coefficients);
 SEGFMU_API int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);
+SEGFMU_API bool segfmu_keeps_drives(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+SEGFMU_API bool segfmu_foresee_emergency(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+SEGFMU_API int64_t segfmu_take_over_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
 SEGFMU_API void segfmu_begin_operation(double time, array_double_2d operation);
 SEGFMU_API bool segfmu_operate(array_double_2d operation, array_double_3d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_3d cells, array_double_2d lead, array_double_2d work, array_double_3d stack);
 SEGFMU_API int64_t segfmu_check_ready(array_double_1d compensation, array_double_1d resistance, int64_t pieces, array_double_1d fault);

@@ -3135,135 +3135,6 @@ static PyObject *call_join_plans(
  return answer;
 }
 
-static PyObject *call_keeps_drives(
- PyObject *self, PyObject *const *values, Py_ssize_t count) {
- arguments call = {.function = "keeps_drives", .values = values};
- PyObject *answer = NULL;
- Py_buffer *in_timing;
- Py_buffer *in_coefficients;
- Py_buffer *in_offsets;
- Py_buffer *in_known;
- Py_buffer *in_work;
- (void)self;
- if (take_count(&call, count, 5)
-  && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
-  && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
-  && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
-  && (in_known = take_array(&call, 3, 2, 'd', false)) != NULL
-  && (in_work = take_array(&call, 4, 2, 'd', false)) != NULL
-  && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
-  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-  && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
-  && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
-  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
-  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
-  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
-  && has_at_least(&call, "work", 1, in_work->shape[1], 102)
-  && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
-  answer = PyBool_FromLong(segfmu_keeps_drives(
-   (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
-   (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
-   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
-   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
- }
- release_arguments(&call);
- return answer;
-}
-
-static PyObject *call_foresee_emergency(
- PyObject *self, PyObject *const *values, Py_ssize_t count) {
- arguments call = {.function = "foresee_emergency", .values = values};
- PyObject *answer = NULL;
- Py_buffer *in_operation;
- Py_buffer *in_known;
- Py_buffer *in_timing;
- Py_buffer *in_coefficients;
- Py_buffer *in_offsets;
- Py_buffer *in_work;
- (void)self;
- if (take_count(&call, count, 6)
-  && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
-  && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
-  && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
-  && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
-  && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
-  && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
-  && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-  && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
-  && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
-  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
-  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
-  && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
-  && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
-  && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
-  && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
-  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
-  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
-  && has_at_least(&call, "work", 1, in_work->shape[1], 102)) {
-  answer = PyBool_FromLong(segfmu_foresee_emergency(
-   (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
-   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
-   (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
-   (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
-   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
- }
- release_arguments(&call);
- return answer;
-}
-
-static PyObject *call_take_over_measured(
- PyObject *self, PyObject *const *values, Py_ssize_t count) {
- arguments call = {.function = "take_over_measured", .values = values};
- PyObject *answer = NULL;
- Py_buffer *in_operation;
- Py_buffer *in_known;
- Py_buffer *in_timing;
- Py_buffer *in_coefficients;
- Py_buffer *in_offsets;
- Py_buffer *in_work;
- Py_buffer *in_stack;
- (void)self;
- if (take_count(&call, count, 7)
-  && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
-  && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
-  && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
-  && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
-  && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
-  && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
-  && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
-  && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
-  && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
-  && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
-  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
-  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
-  && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
-  && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
-  && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
-  && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
-  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
-  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
-  && has_at_least(&call, "work", 1, in_work->shape[1], 102)
-  && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
-  && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
-  && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[2]) - 3))) {
-  answer = PyLong_FromLongLong(segfmu_take_over_measured(
-   (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
-   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
-   (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
-   (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
-   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
-   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
-   (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}}));
- }
- release_arguments(&call);
- return answer;
-}
-
 static PyObject *call_measure_phases(
  PyObject *self, PyObject *const *values, Py_ssize_t count) {
  arguments call = {.function = "measure_phases", .values = values};
@@ -3830,6 +3701,135 @@ static PyObject *call_plan_onward(
    (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
    (array_double_2d){in_times->buf, {in_times->shape[0], in_times->shape[1]}},
    (array_double_2d){in_lead->buf, {in_lead->shape[0], in_lead->shape[1]}}));
+ }
+ release_arguments(&call);
+ return answer;
+}
+
+static PyObject *call_keeps_drives(
+ PyObject *self, PyObject *const *values, Py_ssize_t count) {
+ arguments call = {.function = "keeps_drives", .values = values};
+ PyObject *answer = NULL;
+ Py_buffer *in_timing;
+ Py_buffer *in_coefficients;
+ Py_buffer *in_offsets;
+ Py_buffer *in_known;
+ Py_buffer *in_work;
+ (void)self;
+ if (take_count(&call, count, 5)
+  && (in_timing = take_array(&call, 0, 2, 'd', false)) != NULL
+  && (in_coefficients = take_array(&call, 1, 2, 'd', false)) != NULL
+  && (in_offsets = take_array(&call, 2, 1, 'l', false)) != NULL
+  && (in_known = take_array(&call, 3, 2, 'd', false)) != NULL
+  && (in_work = take_array(&call, 4, 2, 'd', false)) != NULL
+  && has_at_least(&call, "timing", 0, in_timing->shape[0], 1)
+  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
+  && has_extent(&call, "coefficients", 0, in_coefficients->shape[0], in_timing->shape[0])
+  && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 4)
+  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
+  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
+  && has_at_least(&call, "work", 1, in_work->shape[1], 102)
+  && has_pieces(&call, "offsets", in_offsets->buf, 4, 1, in_timing->shape[0])) {
+  answer = PyBool_FromLong(segfmu_keeps_drives(
+   (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+   (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+ }
+ release_arguments(&call);
+ return answer;
+}
+
+static PyObject *call_foresee_emergency(
+ PyObject *self, PyObject *const *values, Py_ssize_t count) {
+ arguments call = {.function = "foresee_emergency", .values = values};
+ PyObject *answer = NULL;
+ Py_buffer *in_operation;
+ Py_buffer *in_known;
+ Py_buffer *in_timing;
+ Py_buffer *in_coefficients;
+ Py_buffer *in_offsets;
+ Py_buffer *in_work;
+ (void)self;
+ if (take_count(&call, count, 6)
+  && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
+  && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
+  && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
+  && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
+  && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
+  && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+  && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
+  && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
+  && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
+  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
+  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
+  && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
+  && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
+  && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+  && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
+  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
+  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
+  && has_at_least(&call, "work", 1, in_work->shape[1], 102)) {
+  answer = PyBool_FromLong(segfmu_foresee_emergency(
+   (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
+   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+   (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+   (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
+   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+ }
+ release_arguments(&call);
+ return answer;
+}
+
+static PyObject *call_take_over_measured(
+ PyObject *self, PyObject *const *values, Py_ssize_t count) {
+ arguments call = {.function = "take_over_measured", .values = values};
+ PyObject *answer = NULL;
+ Py_buffer *in_operation;
+ Py_buffer *in_known;
+ Py_buffer *in_timing;
+ Py_buffer *in_coefficients;
+ Py_buffer *in_offsets;
+ Py_buffer *in_work;
+ Py_buffer *in_stack;
+ (void)self;
+ if (take_count(&call, count, 7)
+  && (in_operation = take_array(&call, 0, 2, 'd', true)) != NULL
+  && (in_known = take_array(&call, 1, 2, 'd', false)) != NULL
+  && (in_timing = take_array(&call, 2, 3, 'd', true)) != NULL
+  && (in_coefficients = take_array(&call, 3, 3, 'd', true)) != NULL
+  && (in_offsets = take_array(&call, 4, 1, 'l', true)) != NULL
+  && (in_work = take_array(&call, 5, 2, 'd', true)) != NULL
+  && (in_stack = take_array(&call, 6, 3, 'd', true)) != NULL
+  && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], 1)
+  && has_at_least(&call, "operation", 0, in_operation->shape[0], 38)
+  && has_at_least(&call, "operation", 1, in_operation->shape[1], 102)
+  && has_at_least(&call, "known", 0, in_known->shape[0], 25)
+  && has_at_least(&call, "known", 1, in_known->shape[1], 29)
+  && has_at_least(&call, "timing", 0, in_timing->shape[0], 6)
+  && has_at_least(&call, "timing", 1, in_timing->shape[1], 3604)
+  && has_at_least(&call, "timing", 2, in_timing->shape[2], 2)
+  && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 6)
+  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 3604)
+  && has_at_least(&call, "offsets", 0, in_offsets->shape[0], 24)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 169)
+  && has_at_least(&call, "work", 1, in_work->shape[1], 102)
+  && has_at_least(&call, "stack", 0, in_stack->shape[0], 43)
+  && has_at_least(&call, "stack", 1, in_stack->shape[1], 10)
+  && has_at_least(&call, "stack", 2, in_stack->shape[2], ((2 * in_coefficients->shape[2]) - 3))) {
+  answer = PyLong_FromLongLong(segfmu_take_over_measured(
+   (array_double_2d){in_operation->buf, {in_operation->shape[0], in_operation->shape[1]}},
+   (array_double_2d){in_known->buf, {in_known->shape[0], in_known->shape[1]}},
+   (array_double_3d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1], in_timing->shape[2]}},
+   (array_double_3d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1], in_coefficients->shape[2]}},
+   (array_int64_t_1d){in_offsets->buf, {in_offsets->shape[0]}},
+   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}},
+   (array_double_3d){in_stack->buf, {in_stack->shape[0], in_stack->shape[1], in_stack->shape[2]}}));
  }
  release_arguments(&call);
  return answer;
@@ -5319,9 +5319,6 @@ static PyMethodDef methods[] = {
  {"meet_ends", (PyCFunction)(void (*)(void))call_meet_ends, METH_FASTCALL, NULL},
  {"anchor_plan", (PyCFunction)(void (*)(void))call_anchor_plan, METH_FASTCALL, NULL},
  {"join_plans", (PyCFunction)(void (*)(void))call_join_plans, METH_FASTCALL, NULL},
- {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
- {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
- {"take_over_measured", (PyCFunction)(void (*)(void))call_take_over_measured, METH_FASTCALL, NULL},
  {"measure_phases", (PyCFunction)(void (*)(void))call_measure_phases, METH_FASTCALL, NULL},
  {"axis_limits", (PyCFunction)(void (*)(void))call_axis_limits, METH_FASTCALL, NULL},
  {"ramp_parameters", (PyCFunction)(void (*)(void))call_ramp_parameters, METH_FASTCALL, NULL},
@@ -5336,6 +5333,9 @@ static PyMethodDef methods[] = {
  {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
  {"judge_pieces", (PyCFunction)(void (*)(void))call_judge_pieces, METH_FASTCALL, NULL},
  {"plan_onward", (PyCFunction)(void (*)(void))call_plan_onward, METH_FASTCALL, NULL},
+ {"keeps_drives", (PyCFunction)(void (*)(void))call_keeps_drives, METH_FASTCALL, NULL},
+ {"foresee_emergency", (PyCFunction)(void (*)(void))call_foresee_emergency, METH_FASTCALL, NULL},
+ {"take_over_measured", (PyCFunction)(void (*)(void))call_take_over_measured, METH_FASTCALL, NULL},
  {"begin_operation", (PyCFunction)(void (*)(void))call_begin_operation, METH_FASTCALL, NULL},
  {"operate", (PyCFunction)(void (*)(void))call_operate, METH_FASTCALL, NULL},
  {"check_ready", (PyCFunction)(void (*)(void))call_check_ready, METH_FASTCALL, NULL},

@@ -30,6 +30,19 @@ def is_slower(attempt: int) -> bool:
     return attempt == Attempt.STOP_SLOWER or attempt == Attempt.STOP_SLOWEST
 
 
+def is_apart(attempt: int, operation: 'float[:,:]') -> bool:
+    """Whether the axes go apart to a target."""
+    if attempt == Attempt.APART:
+        return True
+    slower = is_slower(attempt) and attempt < Attempt.STOP
+    return slower and operation[Operation.PROGRESS, Progress.APART] > 0.5
+
+
+def is_straight(attempt: int, operation: 'float[:,:]') -> bool:
+    """Whether a plan is for the aim itself, a target if it is one."""
+    return attempt < Attempt.STOP and not is_apart(attempt, operation)
+
+
 def ease_of(attempt: int, place: int, operation: 'float[:,:]') -> float:
     """Pace, steepness or speed of an attempt, by its place in `Progress`; see `set_attempt`."""
     if is_slower(attempt):
@@ -109,7 +122,7 @@ def set_attempt(
     pace = ease_of(attempt, Progress.PACE, operation)
     steepness = ease_of(attempt, Progress.STEEPNESS, operation)
     scale = 1.0
-    if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
+    if operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and is_straight(attempt, operation):
         scale = operation[Operation.AIM, Aim.SCALE] * ease_of(attempt, Progress.SPEED, operation)
     for axis in range(3):
         power = pace

@@ -36,10 +36,13 @@ def room_left(axis: int, operation: 'float[:,:]') -> float:
     )
 
 
-def hold_shares(operation: 'float[:,:]') -> None:
-    """Choose how long each axis holds its share of the velocity: the rows TRIED."""
-    command = operation[Operation.COMMAND, :]
-    until = command[Command.STEP] + command[Command.HOLD]
+def usual_hold(operation: 'float[:,:]') -> float:
+    """Until when a velocity is held at least [s], so that the next command finds it held."""
+    return operation[Operation.COMMAND, Command.STEP] + operation[Operation.COMMAND, Command.HOLD]
+
+
+def hold_shares(until: float, operation: 'float[:,:]') -> None:
+    """Let each axis hold its share of the velocity until a time [s] at most: the rows TRIED."""
     for axis in range(3):
         held = operation[Operation.TRIED + axis, :]
         velocity = operation[Operation.WISH, axis] * operation[Operation.SHARE, axis]
@@ -130,8 +133,7 @@ def prolong_holds(
 
     False if an axis has begun to stop.
     """
-    command = operation[Operation.COMMAND, :]
-    until = command[Command.STEP] + command[Command.HOLD]
+    until = usual_hold(operation)
     if not has_room(Slot.TRIED, offsets):
         return False
     for axis in range(3):

@@ -1,4 +1,4 @@
-"""How slowly a plan has to be built up for the drives, from what it asks of them.
+"""How slowly a plan has to be built up for drives and rope, from what it asks of them.
 
 Built up at a pace p, a motion has p^i of its derivatives of order i, from the acceleration on. With
 ramps of the acceleration that are less steep by a share s, those above have s^(i - 2) of that. That
@@ -6,7 +6,7 @@ is about so, as times change as well. So a plan that asks for too much tells how
 its velocity is too much, that is slower, too.
 """
 
-from segfmu.kernels.crane.records import Demand
+from segfmu.kernels.crane.records import Demand, RopeBounds
 from segfmu.kernels.crane.rope import interval_end
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.drives import judge_reach
@@ -28,7 +28,7 @@ def ease_within(
     timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
     work: 'float[:,:]',
 ) -> 'tuple[float, float, float]':
-    """About the pace, steepness and share of the velocity at which a plan keeps the drives' bounds.
+    """About the pace, steepness and share of the velocity at which drives and rope follow a plan.
 
     1 if it does, or none helps. timing, coefficients and offsets of a plan; known: `Known`, work:
     `OperationWork`.
@@ -110,5 +110,9 @@ def keeps_at(
         if order > 1:
             power = power * steepness
     if not write_demands(known[Known.CRANE, :], work):
+        return False
+    longest = known[Known.ROPE, RopeBounds.LONGEST]
+    length = work[OperationWork.REACH + Reach.DEMAND + Demand.PLACE + 2, Range.CENTRE]
+    if longest > 0.0 and length > longest * (1.0 + 1e-9):
         return False
     return judge_reach(0, Demand.SIZE, known[Known.BOUNDS, :], work) > 0

@@ -21,6 +21,14 @@ def plan_end(slot: int, axis: int, timing: 'float[:,:,:]', offsets: 'int[:]') ->
     return timing[slot, last, Timing.START] + timing[slot, last, Timing.LENGTH]
 
 
+def rest_time(slot: int, timing: 'float[:,:,:]', offsets: 'int[:]') -> float:
+    """Time [s] at which a plan comes to rest."""
+    rests = plan_end(slot, 0, timing, offsets)
+    for axis in range(1, 3):
+        rests = max(rests, plan_end(slot, axis, timing, offsets))
+    return rests
+
+
 def copy_plan(
     source: int, target: int, timing: 'float[:,:,:]', coefficients: 'float[:,:,:]',
     offsets: 'int[:]',

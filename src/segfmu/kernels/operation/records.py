@@ -77,22 +77,24 @@ class Tries(Codes):
 class Attempt(Codes):
     """Plans that are tried for a command, in turn; see attempts.py.
 
-    FULL: as it is. SLOWER, SLOWEST: more slowly built up. PART: a part of the velocity. LEVEL,
-    UPRIGHT: the horizontal axes or the vertical one alone. STOP and the two behind it: at rest.
-    NONE: none was found. BLOCKED: one of the first three, before an obstacle.
+    FULL: as it is. APART: to a target, upwards at first or downwards at last. SLOWER, SLOWEST: more
+    slowly built up. PART: a part of the velocity. LEVEL, UPRIGHT: the horizontal axes or the
+    vertical one alone. STOP and the two behind it: at rest. NONE: none was found. BLOCKED: FULL or
+    a slower one, before an obstacle.
     """
 
     FULL = 0
-    SLOWER = 1
-    SLOWEST = 2
-    PART = 3
-    LEVEL = 4
-    UPRIGHT = 5
-    STOP = 6
-    STOP_SLOWER = 7
-    STOP_SLOWEST = 8
-    NONE = 9
-    BLOCKED = 10
+    APART = 1
+    SLOWER = 2
+    SLOWEST = 3
+    PART = 4
+    LEVEL = 5
+    UPRIGHT = 6
+    STOP = 7
+    STOP_SLOWER = 8
+    STOP_SLOWEST = 9
+    NONE = 10
+    BLOCKED = 11
 
 
 class ReadyStatus(Codes):
@@ -187,6 +189,7 @@ class Progress(Record):
     PACE = field("of a plan that is built up more slowly, see attempts.py")
     STEEPNESS = field("of its ramps of the acceleration")
     SPEED = field("share of the velocity that it gets")
+    APART = field("1: it is one along which the axes go apart")
     KEPT_PACE = field("pace of the present plan, 0: not known")
     KEPT_STEEPNESS = field("steepness of its ramps")
     NEXT = field("1 + the attempt with which the next step goes on, 0: with the first")

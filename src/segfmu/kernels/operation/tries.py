@@ -1,8 +1,18 @@
 """Plans that are tried for an aim in turn, until one is taken."""
 
+from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.operation.aim import is_aim
+from segfmu.kernels.operation.apart import (
+    choose_apart,
+    goes_apart,
+    goes_on,
+    rests_at_target,
+    retry_later,
+)
 from segfmu.kernels.operation.attempts import (
+    CALMER,
     ease_of,
+    is_apart,
     is_slower,
     is_worth,
     note_ease,
@@ -10,7 +20,7 @@ from segfmu.kernels.operation.attempts import (
     share_of,
     stop_as_before,
 )
-from segfmu.kernels.operation.held import holds_long_enough, prolong_holds
+from segfmu.kernels.operation.held import holds_long_enough, prolong_holds, usual_hold
 from segfmu.kernels.operation.pace import ease_within
 from segfmu.kernels.operation.plans import copy_plan
 from segfmu.kernels.operation.proof import prove_plan
@@ -49,12 +59,17 @@ def choose_ease(
     timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]',
 ) -> None:
     """Choose how slow a slower attempt is after one that failed by a status."""
-    if not is_slower(attempt + 1):
+    if attempt != Attempt.FULL and not is_slower(attempt + 1):
         return
+    if attempt == Attempt.APART:
+        # what is in its way may not be in that of all axes at once
+        if not (status == OperationStatus.DRIVES or tells_rope(attempt, status, operation, known)):
+            return
+        operation[Operation.PROGRESS, Progress.APART] = 1.0
     pace = 1.0
     steepness = 1.0
     speed = 1.0
-    if status == OperationStatus.DRIVES:
+    if status == OperationStatus.DRIVES or tells_rope(attempt, status, operation, known):
         first = Slot.TRIED * Slot.OFFSETS
         pace, steepness, speed = ease_within(
             timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
@@ -63,6 +78,20 @@ def choose_ease(
     note_ease(attempt, pace, steepness, speed, operation)
     if attempt == Attempt.STOP:
         stop_as_before(operation)
+
+
+def tells_rope(
+    attempt: int, status: int, operation: 'float[:,:]', known: 'float[:,:]'
+) -> bool:
+    """Whether it is of use how slow a plan that failed by a status would have to be for the rope.
+
+    A velocity is rather had along some axes than built up that slowly.
+    """
+    if not (status == OperationStatus.ROPE or status == OperationStatus.TRAVEL):
+        return False
+    if attempt >= Attempt.STOP:
+        return True
+    return operation[Operation.AIM, Aim.IS_TARGET] > 0.5 and rests_at_target(operation, known)
 
 
 def keeps_blocked(operation: 'float[:,:]') -> bool:
@@ -80,9 +109,10 @@ def attempt_plans(
     """Try plans for the aim in turn, until one is taken; as `operate`."""
     progress = operation[Operation.PROGRESS, :]
     attempt, failed = first_attempt(operation, known)
+    going = goes_on(operation, timing, offsets)
     tries = 0
     while attempt < Attempt.NONE:
-        if is_passed_over(attempt, failed, operation):
+        if is_passed_over(attempt, failed, going, operation, known):
             attempt = attempt + 1
             continue
         if tries > 0 and not tries < operation[Operation.COMMAND, Command.TRIES]:
@@ -121,6 +151,10 @@ def attempt_plans(
                 work, stack,
             ):
                 return True
+    if going:
+        note_taken(int(Attempt.APART), operation)
+        retry_later(operation, timing, offsets)
+        return False
     if failed > 0:
         progress[Progress.STATUS] = progress[Progress.REFUSED]
     note_taken(int(Attempt.NONE), operation)
@@ -140,14 +174,28 @@ def first_attempt(operation: 'float[:,:]', known: 'float[:,:]') -> 'tuple[int, i
     open_ways(operation, known)
     progress[Progress.BLOCKS] = 0.0
     progress[Progress.SPEED] = 1.0
+    progress[Progress.APART] = 0.0
     return int(Attempt.FULL), int(OperationStatus.TAKEN)
 
 
-def is_passed_over(attempt: int, failed: int, operation: 'float[:,:]') -> bool:
-    """Whether an attempt is not tried, after one that failed by a status."""
+def is_passed_over(
+    attempt: int, failed: int, going: bool, operation: 'float[:,:]', known: 'float[:,:]'
+) -> bool:
+    """Whether an attempt is not tried, after one that failed by a status; going: `goes_on`."""
+    if going and attempt > Attempt.FULL and not is_nearly_full(attempt, operation):
+        return True
     if keeps_stopping(attempt, operation):
         return True
+    if attempt == Attempt.APART:
+        return not (tells_rope(attempt, failed, operation, known) and goes_apart(operation))
     return not is_worth(attempt, failed, operation[Operation.AIM, :])
+
+
+def is_nearly_full(attempt: int, operation: 'float[:,:]') -> bool:
+    """Whether an attempt is built up hardly more slowly than the limits permit."""
+    if attempt >= Attempt.STOP or not is_slower(attempt):
+        return False
+    return operation[Operation.PROGRESS, Progress.PACE] > CALMER
 
 
 def put_off(attempt: int, failed: int, operation: 'float[:,:]') -> None:
@@ -217,6 +265,12 @@ def seek_plan(
     """Write the plan of an attempt to the slot TRIED; False if there is none."""
     aim = operation[Operation.AIM, :]
     set_attempt(attempt, operation, limits, known)
+    slow = is_slower(attempt) and attempt < Attempt.STOP
+    if is_apart(attempt, operation):
+        choose_apart(ease_of(attempt, Progress.SPEED, operation), operation, limits, known)
+        return seek_velocity(
+            slow, NEVER, operation, limits[1, :, :], timing, coefficients, offsets, states, lead
+        )
     if aim[Aim.IS_TARGET] > 0.5 and attempt < Attempt.STOP:
         return seek_target(
             operation, limits, known, timing, coefficients, offsets, states, cells, lead, work
@@ -224,9 +278,9 @@ def seek_plan(
     for axis in range(3):
         operation[Operation.WISH, axis] = aim[Aim.VALUE + axis]
         operation[Operation.SHARE, axis] = share_of(attempt, axis, operation)
-    slow = is_slower(attempt) and attempt < Attempt.STOP
     return seek_velocity(
-        slow, operation, limits[1, :, :], timing, coefficients, offsets, states, lead
+        slow, usual_hold(operation), operation, limits[1, :, :], timing, coefficients, offsets,
+        states, lead,
     )
 
 
@@ -234,6 +288,8 @@ def rank(attempt: int, operation: 'float[:,:]') -> int:
     """An attempt that is taken, FULL where it is all that the aim asks for."""
     if is_stop(operation[Operation.AIM, :]):
         return Attempt.FULL
+    if is_apart(attempt, operation):
+        return Attempt.APART
     if attempt <= Attempt.SLOWEST:
         if operation[Operation.PROGRESS, Progress.BLOCKS] > 0.0:
             return Attempt.BLOCKED
@@ -285,6 +341,8 @@ def take_plan(
     if attempt > 0 or is_slowed(operation):
         progress[Progress.STATUS] = OperationStatus.REDUCED
     note_taken(attempt, operation)
+    if attempt == Attempt.APART:
+        retry_later(operation, timing, offsets)
 
 
 def note_taken(attempt: int, operation: 'float[:,:]') -> None:

@@ -200,13 +200,17 @@ def reach_velocities(
 
 
 def seek_velocity(
-    slow: bool, operation: 'float[:,:]', limits: 'float[:,:]', timing: 'float[:,:,:]',
-    coefficients: 'float[:,:,:]', offsets: 'int[:]', states: 'float[:,:,:]', lead: 'float[:,:]',
+    slow: bool, until: float, operation: 'float[:,:]', limits: 'float[:,:]',
+    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
+    states: 'float[:,:,:]', lead: 'float[:,:]',
 ) -> bool:
-    """Try a plan for the velocities WISH in the slot TRIED; False if there is none."""
+    """Try a plan for the velocities WISH in the slot TRIED; False if there is none.
+
+    They are held until a time [s] at most.
+    """
     if not reach_velocities(
         slow, operation, limits, timing, coefficients, offsets, states, lead
     ):
         return False
-    hold_shares(operation)
+    hold_shares(until, operation)
     return join_held(operation, timing, coefficients, offsets)
