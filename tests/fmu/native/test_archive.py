@@ -18,6 +18,8 @@ from segfmu.fmu.gantry_crane import interface as gantry_crane
 from segfmu.fmu.gantry_feedforward import interface as gantry_feedforward
 from segfmu.fmu.native import archive as native
 from segfmu.fmu.native import tables
+from segfmu.fmu.python import slave
+from segfmu.fmu.standard import times
 from tests.fmu.checking import faults
 from tests.fmu.native.importer import Importer
 
@@ -136,6 +138,16 @@ def test_waypoints_are_arrays_of_fmi3(native_fmus) -> None:
         "0.0", "0.0", "-0.5", "0.07", "0.055", "-0.5", *["1.0", "0.8", "-0.5"] * 14
     ]
     assert "waypoint[1].position.x" not in variables
+
+
+def test_both_backends_have_the_same_times_from_one_place() -> None:
+    text = tables.header(SPECS[0], 3)
+    for name in ("SAME", "REPEATED", "ROUNDING", "LATEST"):
+        assert f"#define {name} {getattr(times, name)!r}\n" in text
+        assert getattr(slave, name) is getattr(times, name)
+        for source in HEADERS.parent.glob("*.[ch]"):
+            given = rf"(#define|double) {name}\b"
+            assert not re.search(given, source.read_text(encoding="utf-8")), source
 
 
 def test_places_of_values_do_not_overlap() -> None:

@@ -1,9 +1,10 @@
 """The table of an FMU's variables in C, from its interface specification.
 
 Every variable has an index in one of two arrays, `real` and `integer`; the elements of an FMI 3.0
-array are adjacent. variables.h names the indices. variables.c gives index and kind of every value
-reference, when it may be set, its name and range, and which ones are differentiable. build.h has a
-hash of all sources. None of them depends on start values, which are in start.bin.
+array are adjacent. variables.h names the indices, and has numbers that Python has as well.
+variables.c gives index and kind of every value reference, when it may be set, its name and range,
+and which ones are differentiable. build.h has a hash of all sources. None of them depends on start
+values, which are in start.bin.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from dataclasses import dataclass
 
 from segfmu.fmu.standard.references import Entry, entries
 from segfmu.fmu.standard.spec import Spec, Variable
+from segfmu.fmu.standard.times import LATEST, REPEATED, ROUNDING, SAME
 
 BANNER = "/* Generated from the interface specification in Python; never edited. */\n"
 
@@ -23,6 +25,8 @@ KINDS = {
     "Enumeration": "KIND_ENUMERATION",
 }
 
+# names in C, as in Python
+TIMES = {"SAME": SAME, "REPEATED": REPEATED, "ROUNDING": ROUNDING, "LATEST": LATEST}
 
 CALCULATED = ("output", "calculatedParameter", "local")
 
@@ -95,7 +99,7 @@ def header(spec: Spec, version: int) -> str:
     lines = [
         BANNER + "#ifndef SEGFMU_VARIABLES_H", "#define SEGFMU_VARIABLES_H", "", "enum {",
         *(f"    MODEL_{name} = {size}," for name, size in sizes.items()), "};", "",
-        *(f"#define {name} {value!r}" for name, value in spec.constants), "",
+        *(f"#define {name} {value!r}" for name, value in (*TIMES.items(), *spec.constants)), "",
         "/* places in `real` and `integer` */", "enum {", *names, "};", "", "#endif", "",
     ]
     return "\n".join(lines).replace(",\n}", "\n}")

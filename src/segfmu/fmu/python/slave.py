@@ -17,6 +17,7 @@ from segfmu.crane.variables import filled
 from segfmu.errors import InputError, SegfmuError, SimulationError
 from segfmu.fmu.python.release import release_at_exit
 from segfmu.fmu.standard.spec import Spec, Value, Variable
+from segfmu.fmu.standard.times import LATEST, REPEATED, ROUNDING, SAME
 from segfmu.kernels import backend
 from segfmu.kernels.messages import ACCESS, RANGE
 from segfmu.kernels.numerics.records import AccessStatus, RangeFault, RangeStatus
@@ -28,13 +29,6 @@ KINDS = {
     "boolean": ("Boolean",),
     "string": (),
 }
-# of times that are the same, relative
-SAME = 1e-9
-# of a step: late in a simulation such times may be a whole step apart, which is one step twice
-REPEATED = 0.5
-# s; the last time, and of one to which a step was added, relative to it: those of native FMUs
-LATEST = 1e9
-ROUNDING = 1e-14
 
 
 class SpecSlave(Fmi2Slave):  # type: ignore[misc]

@@ -13,9 +13,6 @@
 /* room for a message, its end included */
 enum { MESSAGE = 400 };
 
-/* s; times beyond it have no microseconds */
-#define LATEST 1e9
-
 /* interfaces of an instance */
 enum { MODEL_EXCHANGE, CO_SIMULATION, NO_INTERFACE };
 

@@ -3,18 +3,9 @@
 
 #include "glue.h"
 
-/* times that differ by less, relative to their size, are equal: importers add up steps */
-static const double SAME = 1e-9;
-
-/* of a step: late in a simulation such times may be a whole step apart, which is one step twice */
-static const double REPEATED = 0.5;
-
 /* s; a command between events is followed so long after the one before: a signal that changes all the
    time would ask for an event at each of the integrator's steps, which begin anew there */
 static const double COMMANDED = 1e-3;
-
-/* of a time to which a step was added, relative to it */
-static const double ROUNDING = 1e-14;
 
 /* Whether all values are in the ranges that the specification gives. */
 static bool in_range(instance *c)
