@@ -169,3 +169,14 @@ def test_a_suite_is_a_table_of_its_criteria(tmp_path: Path) -> None:
     assert list(judged["unit"]) == [f.unit for f in suite.results[0].findings]
     assert len(repr(suite)) < 100 and "<table>" in suite._repr_html_()
     assert len(suite.plot().axes[0].get_yticks()) == len(judged)
+
+
+@needs_native
+def test_the_hoist_of_another_load_is_shown_less_its_weight() -> None:
+    """It was less the weight that is planned for: 5 N at rest."""
+    changes = {"true_crane": {"payload_mass": 1.5}, "simulation": {"settle": 8.0}}
+    run = segfmu.simulate(segfmu.load_mission(MODELS / "paper.toml", changes), step=0.01)
+    (hoist,) = (
+        line for line in run.plot().axes[2].lines if line.get_label() == "hoist less weight"
+    )
+    assert hoist.get_ydata()[-1] == pytest.approx(0.0, abs=0.02)

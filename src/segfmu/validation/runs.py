@@ -22,6 +22,7 @@ from segfmu.folders import work_folder
 from segfmu.planning import Trajectory
 from segfmu.validation.archives import for_simulation
 from segfmu.validation.criteria import Criteria, judge
+from segfmu.validation.files import crane_parameters
 from segfmu.validation.files.crane_models import require_gantry
 from segfmu.validation.files.mission import Mission
 from segfmu.validation.files.mission_file import Source, load_mission
@@ -180,7 +181,9 @@ class Run:
         if what == "run":
             # under commands the load does not go to the waypoints
             times = trajectory.waypoint_times if self.commands is None else np.empty(0)
-            return plot_run(self.rows, times, name, crane, bounds)
+            # the weight on the rope is that of the load that was carried
+            carried = crane_parameters.nominal(task.simulated)
+            return plot_run(self.rows, times, name, carried, bounds)
         if what == "plan":
             return plot_plan(trajectory, name, self.mission.limits is not None)
         if what == "path":
