@@ -171,3 +171,14 @@ def test_first_files_that_cannot_be_written_leave_none(tmp_path: Path) -> None:
     )
     assert "InputError: crane.toml: cannot be written: File too large" in done.stderr
     assert not list(tmp_path.iterdir())
+
+
+def test_templates_have_the_choices_of_keys() -> None:
+    """Which shapes there are was told by the error for another one."""
+    text = template.mission_text() + template.crane_text()
+    for key, choices in (
+        ("shape", '"plateau" or "smoothstep"'), ("slack", '"error" or "free_fall"'),
+        ("synchronization", '"waypoints" or "total" or "none"'), ("drive", '"force" or "velocity"'),
+    ):
+        lines = [line for line in text.splitlines() if line.lstrip("# ").startswith(f"{key} = ")]
+        assert any(f"; {choices}; " in line for line in lines), key

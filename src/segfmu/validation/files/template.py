@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, get_args, get_origin
 
 from segfmu.cosim.result import replacing
 from segfmu.errors import InputError
@@ -135,12 +135,20 @@ def _line(entry: Entry, used: Mapping[str, tuple[Any, str]]) -> str:
     key = entry.path[-1]
     unit = f"{entry.key.unit}, " if entry.key.unit else ""
     parts = f" ({', '.join(entry.key.parts)})" if entry.key.parts else ""
-    meaning = f"{unit}{entry.key.meaning}{parts}"
+    choices = " or ".join(map(_toml, _choices(entry.field.annotation)))
+    meaning = f"{unit}{entry.key.meaning}{parts}{f'; {choices}' if choices else ''}"
     if value is None:
         without = default(entry).replace("`", "")
         return f"# {key} =".ljust(PLACE) + f"# {meaning}; default: {without}"
     shown = f"{key} = {_toml(value)}".ljust(PLACE)
     return f"{shown}# {meaning}{f'; {source}' if source else ''}"
+
+
+def _choices(annotation: Any) -> list[str]:
+    """Texts that a key may have, if it has one of some."""
+    if get_origin(annotation) is Literal:
+        return [value for value in get_args(annotation) if isinstance(value, str)]
+    return [value for part in get_args(annotation) for value in _choices(part)]
 
 
 def _toml(value: Any) -> str:
