@@ -91,6 +91,16 @@ def test_commands_exist(page: Path) -> None:
             assert importlib.util.find_spec(module) is not None, f"{page.name}: {module}"
 
 
+def test_campaigns_have_folders_of_their_own() -> None:
+    """A folder with the results of another one is refused: the pages could not be followed."""
+    places: dict[str, set[str]] = {}
+    for page in PAGES:
+        for code in _commands(page.read_text(encoding="utf-8")):
+            for campaign, folder in re.findall(r"segfmu campaign (\S+) -o (\S+)", code):
+                places.setdefault(folder, set()).add(campaign)
+    assert len(places) > 5 and all(len(campaigns) == 1 for campaigns in places.values()), places
+
+
 def test_sources_name_files_that_exist() -> None:
     kernels = SOURCE / "kernels"
     for source in (file for kind in ("py", "c", "h") for file in SOURCE.rglob(f"*.{kind}")):
