@@ -216,8 +216,9 @@ def test_the_report_of_commands_tells_no_plan_that_was_not_followed(tmp_path: Pa
     ]
     panels = run.plot().axes
     assert panels[-1].get_xlabel() == "time [s]; dashed: bounds of the drives"
-    # 115 W of 589 kW: the axis of power is that of its bound
-    assert panels[3].get_ylabel() == "power\n[kW]"
+    # 115 W of 589 kW: bounds that make it a line are in the legend
+    assert panels[3].get_ylabel() == "power\n[W]" and panels[3].get_ylim()[1] < 200.0
+    assert "hoist, of 589 kW" in [t.get_text() for t in panels[3].get_legend().get_texts()]
 
 
 @pytest.mark.parametrize(("changes", "step", "words"), [

@@ -62,6 +62,24 @@ def test_bounds_of_both_directions_are_drawn() -> None:
     assert dashed(figure.axes[2]) == pytest.approx(sorted([-5.0, 3.0, -weight, 15.0 - weight]))
 
 
+@pytest.mark.parametrize(("sway", "far"), [(0.4, True), (4.0, False), (0.0, False), (1e-9, False)])
+def test_bounds_far_from_what_is_shown_are_in_the_legend(sway: float, far: bool) -> None:
+    """A sway of 0.4 of 8 degrees was a line; noise stays one."""
+    rows = table(1e-3)
+    rows["sway.x.angle"] = np.radians(sway) * np.sin(rows["time"])
+    bounds = ActuatorBounds(
+        sway_angle=np.radians(8.0), velocity=[None, None, 0.5], velocity_min=[None, None, -0.2]
+    )
+    figure = plot_run(rows, np.array([0.0]), "run", CRANES["lab"], bounds)
+    panel = figure.axes[4]
+    assert (panel.get_ylim()[1] < 1.0) == far
+    assert panel.get_legend().get_texts()[0].get_text() == ("φx, of 8 deg" if far else "φx")
+    rows["rope.velocity"] = 0.01
+    velocity = plot_run(rows, np.array([0.0]), "run", CRANES["lab"], bounds).axes[0]
+    names = [text.get_text() for text in velocity.get_legend().get_texts()]
+    assert names == ["bridge", "trolley", "hoist, of -0.2 to 0.5 m/s", "setpoint"]
+
+
 def test_bounds_in_one_place_are_all_seen() -> None:
     """The last one hid the others."""
     bounds = ActuatorBounds(velocity=0.3)
