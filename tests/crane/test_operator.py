@@ -14,6 +14,7 @@ from benchmarks.operated import LAB, PORT, SITES, Site, commands, met, needs
 from segfmu import (
     ActuatorBounds,
     Clearance,
+    Crane,
     InfeasibleError,
     InputError,
     Limits,
@@ -500,6 +501,37 @@ def test_a_stop_begins_soon_where_only_flat_ramps_keep_the_drives(axis: int) -> 
         follow(stopped, 0.5)
         assert stopped.status == "taken"
         assert stopped.rests_at - operator.time < 8.0
+
+
+@campaign(24, 300, "seeds")
+def test_a_stop_is_soon_where_limits_are_far_above_the_drives(seeds: int) -> None:
+    """And nothing limits the snap: a slower plan has not that of the steep one which failed."""
+    took = []
+    for seed in range(seeds):
+        rng = np.random.default_rng((9, seed))
+        mass, rope = 10.0 ** rng.uniform(-1.0, 4.8), rng.uniform(0.3, 50.0)
+        period = np.sqrt(rope / 9.81)
+        fast = rope / period * 10.0 ** rng.uniform(-1.5, -0.3, 3)
+        quick = 9.81 * 10.0 ** rng.uniform(-2.0, -0.5, 3)
+        far = 10.0 ** rng.uniform(0.5, 1.5) * quick
+        operator = Operator(
+            Crane(
+                bridge_mass=5.0 * mass, trolley_mass=mass, payload_mass=mass, rope_min=0.1 * rope
+            ),
+            Limits(fast, far, far / period * 10.0 ** rng.uniform(0.0, 1.0, 3)),
+            [0.0, 0.0, -rope],
+            bounds=ActuatorBounds(velocity=1.2 * fast, acceleration=quick),
+            smoothness=int(rng.integers(4, 7)),
+        )
+        operator.command("velocity", velocity=fast * rng.uniform(-1.0, 1.0, 3) * [1.0, 1.0, 0.3])
+        follow(operator, 4.0 * period, 0.1 * period)
+        least = float((np.abs(operator.load[1]) / quick).max()) + period
+        begin = operator.time
+        operator.command("stop")
+        follow(operator, 3.0 * period, 0.1 * period)
+        took.append((operator.rests_at - begin) / least)
+    assert np.median(took) < 8.0
+    assert max(took) < 40.0
 
 
 def test_targets_take_little_longer_than_the_shortest_plan_within_the_drives() -> None:

@@ -35,7 +35,8 @@ def given(found: Trajectory, size: str, bounds: ActuatorBounds) -> tuple[Any, ..
     known = known_of(SIZES[size][0])
     known[Known.BOUNDS, : bounds.record.size] = bounds.record
     work = np.zeros((OperationWork.SIZE, OperationWork.COLUMNS))
-    return found.timing, found.coefficients, found.offsets, known, work
+    limits = found.limits.table(3, found.smoothness)
+    return limits, found.timing, found.coefficients, found.offsets, known, work
 
 
 def told(found: Trajectory, size: str, bounds: ActuatorBounds) -> tuple[float, float, float]:

@@ -401,6 +401,7 @@ static void note_ease(int64_t attempt, double pace, double steepness, double spe
 static void stop_as_before(array_double_2d operation);
 static double share_of(int64_t attempt, int64_t axis, array_double_2d operation);
 static bool is_worth(int64_t attempt, int64_t failed, array_double_1d aim);
+static double implied_snap(double acceleration, double jerk);
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static void set_attempt(int64_t attempt, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static double inner_rise(double rise, int64_t level, array_double_1d axis);
@@ -1003,9 +1004,9 @@ static bool is_hanging(array_double_1d command);
 static int64_t state_status(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
-static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static double pace_within(double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static void open_ways(array_double_2d operation, array_double_2d known);
 static bool are_ways_kept(array_double_2d operation);
 static void keep_ways(array_double_2d operation);
@@ -1015,7 +1016,7 @@ static void end_way(int64_t axis, double low, double high, array_double_2d opera
 static bool end_before_obstacle(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool is_prolonged(array_double_2d operation);
 static bool tells_rope(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known);
-static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_blocked(array_double_2d operation);
 static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
 static bool is_nearly_full(int64_t attempt, array_double_2d operation);
@@ -10399,6 +10400,9 @@ return (horizontal > 0.0) && (vertical > 0.0);
 }
 return horizontal + vertical > 0.0;
 }
+static double implied_snap(double acceleration, double jerk) {
+return jerk * jerk / acceleration;
+}
 static void set_lower_of(int64_t place, array_double_2d operation, array_double_3d limits, array_double_2d known) {
 int64_t axis, i;
 double share;
@@ -10428,7 +10432,7 @@ power = power * steepness;
 }
 given = *cspan_at(&limits, 0, axis, i);
 if ((i == 3) && (given == 0.0) && is_slower(attempt)) {
-given = *cspan_at(&limits, 0, axis, 2) * *cspan_at(&limits, 0, axis, 2) / *cspan_at(&limits, 0, axis, 1);
+given = implied_snap(*cspan_at(&limits, 0, axis, 1), *cspan_at(&limits, 0, axis, 2));
 }
 *cspan_at(&limits, 1, axis, i) = power * given;
 }
@@ -22574,8 +22578,8 @@ return 0;
 result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
 return result;
 }
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
-double power, share, longest, length;
+static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+double power, share, value, most, longest, length;
 int64_t order, axis, place;
 bool result;
 write_load(time, time, timing, coefficients, offsets, work);
@@ -22587,7 +22591,12 @@ share = speed;
 }
 for (axis = 0; axis < 3; axis += 1) {
 place = 89 + 0 + 3 * order + axis;
-*cspan_at(&work, place, 0) = share * *cspan_at(&work, place, 0);
+value = *cspan_at(&work, place, 0);
+if ((order == 4) && (*cspan_at(&limits, axis, 3) == 0.0)) {
+most = implied_snap(*cspan_at(&limits, axis, 1), *cspan_at(&limits, axis, 2));
+value = span_min(span_max(value, -most), most);
+}
+*cspan_at(&work, place, 0) = share * value;
 }
 power = power * pace;
 if (order > 1) {
@@ -22605,7 +22614,7 @@ return 0;
 result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
 return result;
 }
-static double pace_within(double speed, double steepness, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+static double pace_within(double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
 double time, until, at, low, tried, pace;
 int64_t k, i;
 pace = 1.0;
@@ -22617,7 +22626,7 @@ at = time + (until - time) * k / 4;
 low = 1.0;
 tried = pace;
 for (i = 0; i < 2 + 8; i += 1) {
-if (keeps_at(tried, speed, steepness, at, timing, coefficients, offsets, known, work)) {
+if (keeps_at(tried, speed, steepness, at, limits, timing, coefficients, offsets, known, work)) {
 low = tried;
 if (i == 0) {
 break;
@@ -22641,7 +22650,7 @@ until = interval_end(time, timing, offsets);
 }
 return pace;
 }
-static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
 double speed, best, steepest, least, steepness, pace, takes;
 int64_t Dummy_0000;
 speed = 1.0;
@@ -22651,7 +22660,7 @@ least = 1e+300;
 for (Dummy_0000 = 0; Dummy_0000 < 2; Dummy_0000 += 1) {
 steepness = 1.0;
 while((1.0 + 0.5 / steepness < least) && (steepness > 0.01)) {
-pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work);
+pace = pace_within(speed, steepness, limits, timing, coefficients, offsets, known, work);
 if (pace > 0.0) {
 takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness);
 if (takes < least) {
@@ -22668,7 +22677,7 @@ if (least < 1e+300) {
 (*result_2) = speed;
 return 0;
 }
-speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work);
+speed = pace_within(0.0, 0.0, limits, timing, coefficients, offsets, known, work);
 if (speed == 0.0) {
 break;
 }
@@ -22815,7 +22824,7 @@ return 1;
 result = (*cspan_at(&operation, 1, 0) > 0.5) && rests_at_target(operation, known);
 return result;
 }
-static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work) {
 double pace, steepness, speed;
 int64_t first;
 if ((attempt != 0) && (!is_slower(attempt + 1))) {
@@ -22832,7 +22841,7 @@ steepness = 1.0;
 speed = 1.0;
 if ((status == 6) || tells_rope(attempt, status, operation, known)) {
 first = 4 * 4;
-ease_within(&pace, &steepness, &speed, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
+ease_within(&pace, &steepness, &speed, limits, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), known, work);
 }
 note_ease(attempt, pace, steepness, speed, operation);
 if (attempt == 7) {
@@ -23082,7 +23091,7 @@ return 1;
 if ((failed == 0) && (*cspan_at(&progress, 14) == 0.0)) {
 *cspan_at(&progress, 2) = status;
 }
-choose_ease(attempt, status, operation, known, timing, coefficients, offsets, work);
+choose_ease(attempt, status, operation, span_matrix(&limits, 1), known, timing, coefficients, offsets, work);
 if (!((status == 5) && blocks(attempt, operation, known, work))) {
 failed = status;
 attempt = attempt + 1;

@@ -110,6 +110,11 @@ def is_worth(attempt: int, failed: int, aim: 'float[:]') -> bool:
     return horizontal + vertical > 0.0
 
 
+def implied_snap(acceleration: float, jerk: float) -> float:
+    """The snap that limits of acceleration and jerk imply."""
+    return jerk * jerk / acceleration
+
+
 def set_attempt(
     attempt: int, operation: 'float[:,:]', limits: 'float[:,:,:]', known: 'float[:,:]'
 ) -> None:
@@ -134,7 +139,7 @@ def set_attempt(
             given = limits[0, axis, i]
             # without a limit the snap of a slower plan would be as steep as before
             if i == 3 and given == 0.0 and is_slower(attempt):
-                given = limits[0, axis, 2] * limits[0, axis, 2] / limits[0, axis, 1]
+                given = implied_snap(limits[0, axis, 1], limits[0, axis, 2])
             limits[1, axis, i] = power * given
     set_lower_of(1, operation, limits, known)
 

@@ -9,6 +9,7 @@ its velocity is too much, that is slower, too.
 from segfmu.kernels.crane.records import Demand, RopeBounds
 from segfmu.kernels.crane.rope import interval_end
 from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.operation.attempts import implied_snap
 from segfmu.kernels.operation.drives import judge_reach
 from segfmu.kernels.operation.reach import write_demands, write_load
 from segfmu.kernels.operation.records import Known, OperationWork, Range, Reach
@@ -25,13 +26,13 @@ FLATTEST = 0.01
 
 
 def ease_within(
-    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
-    work: 'float[:,:]',
+    limits: 'float[:,:]', timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
+    known: 'float[:,:]', work: 'float[:,:]',
 ) -> 'tuple[float, float, float]':
     """About the pace, steepness and share of the velocity at which drives and rope follow a plan.
 
-    1 if it does, or none helps. timing, coefficients and offsets of a plan; known: `Known`, work:
-    `OperationWork`.
+    1 if it does, or none helps. limits (3, n + 1): those of the plan, 0 where absent; timing,
+    coefficients and offsets are its own; known: `Known`, work: `OperationWork`.
     """
     speed = 1.0
     best = 1.0
@@ -42,7 +43,7 @@ def ease_within(
         steepness = 1.0
         # times to reach a velocity and to build its acceleration up, a half of that by default
         while 1.0 + 0.5 / steepness < least and steepness > FLATTEST:
-            pace = pace_within(speed, steepness, timing, coefficients, offsets, known, work)
+            pace = pace_within(speed, steepness, limits, timing, coefficients, offsets, known, work)
             if pace > 0.0:
                 takes = 1.0 / (pace * pace) + 0.5 / (pace * steepness)
                 if takes < least:
@@ -52,15 +53,15 @@ def ease_within(
             steepness = FLATTER * steepness
         if least < NEVER:
             return best, steepest, speed
-        speed = pace_within(0.0, 0.0, timing, coefficients, offsets, known, work)
+        speed = pace_within(0.0, 0.0, limits, timing, coefficients, offsets, known, work)
         if speed == 0.0:
             break
     return 1.0, 1.0, 1.0
 
 
 def pace_within(
-    speed: float, steepness: float, timing: 'float[:,:]', coefficients: 'float[:,:]',
-    offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
+    speed: float, steepness: float, limits: 'float[:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
 ) -> float:
     """That pace with a share of the velocity, 0: as the pace, and a steepness; 0 if none helps."""
     pace = 1.0
@@ -74,7 +75,7 @@ def pace_within(
             # the pace itself, the lowest one, and what is between them
             for i in range(2 + BISECTIONS):
                 if keeps_at(
-                    tried, speed, steepness, at, timing, coefficients, offsets, known, work
+                    tried, speed, steepness, at, limits, timing, coefficients, offsets, known, work
                 ):
                     low = tried
                     if i == 0:
@@ -93,8 +94,9 @@ def pace_within(
 
 
 def keeps_at(
-    pace: float, speed: float, steepness: float, time: float, timing: 'float[:,:]',
-    coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]', work: 'float[:,:]',
+    pace: float, speed: float, steepness: float, time: float, limits: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
+    work: 'float[:,:]',
 ) -> bool:
     """Whether the motion at a time [s], built up at a pace, keeps the bounds."""
     write_load(time, time, timing, coefficients, offsets, work)
@@ -105,7 +107,12 @@ def keeps_at(
             share = speed
         for axis in range(3):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
-            work[place, Range.CENTRE] = share * work[place, Range.CENTRE]
+            value = work[place, Range.CENTRE]
+            if order == 4 and limits[axis, 3] == 0.0:
+                # that of steep ramps, which a slower plan has not
+                most = implied_snap(limits[axis, 1], limits[axis, 2])
+                value = min(max(value, -most), most)
+            work[place, Range.CENTRE] = share * value
         power = power * pace
         if order > 1:
             power = power * steepness

@@ -55,10 +55,14 @@ def is_prolonged(operation: 'float[:,:]') -> bool:
 
 
 def choose_ease(
-    attempt: int, status: int, operation: 'float[:,:]', known: 'float[:,:]',
-    timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]', work: 'float[:,:]',
+    attempt: int, status: int, operation: 'float[:,:]', limits: 'float[:,:]',
+    known: 'float[:,:]', timing: 'float[:,:,:]', coefficients: 'float[:,:,:]', offsets: 'int[:]',
+    work: 'float[:,:]',
 ) -> None:
-    """Choose how slow a slower attempt is after one that failed by a status."""
+    """Choose how slow a slower attempt is after one that failed by a status.
+
+    limits (3, n + 1): those of the one that failed.
+    """
     if attempt != Attempt.FULL and not is_slower(attempt + 1):
         return
     if attempt == Attempt.APART:
@@ -72,7 +76,7 @@ def choose_ease(
     if status == OperationStatus.DRIVES or tells_rope(attempt, status, operation, known):
         first = Slot.TRIED * Slot.OFFSETS
         pace, steepness, speed = ease_within(
-            timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
+            limits, timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :],
             offsets[first:first + Slot.OFFSETS], known, work,
         )
     note_ease(attempt, pace, steepness, speed, operation)
@@ -137,7 +141,9 @@ def attempt_plans(
         if failed == OperationStatus.TAKEN and progress[Progress.BLOCKS] == 0.0:
             # why the command cannot be taken as it is
             progress[Progress.REFUSED] = status
-        choose_ease(attempt, status, operation, known, timing, coefficients, offsets, work)
+        choose_ease(
+            attempt, status, operation, limits[1, :, :], known, timing, coefficients, offsets, work
+        )
         if not (status == OperationStatus.OBSTACLE and blocks(attempt, operation, known, work)):
             failed = status
             attempt = attempt + 1
