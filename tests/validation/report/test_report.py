@@ -74,6 +74,9 @@ def test_every_measure_is_in_the_verdict(run: segfmu.Run) -> None:
     assert {row[4][0] for row in page.summary.rows} == {"passed"}
     text = render(page)
     assert re.search(r"<title>[^<]*passed</title>", text)
+    # on a phone a row begins with its number, beside what it counts
+    assert '<th scope="row" data-head="waypoint">2</th>' in text
+    assert '<th scope="row">residual sway</th>' in text
     assert "segfmu simulate" in text and 'below <span class="number">1e-6</span> mm' in text
 
 
