@@ -1004,7 +1004,8 @@ static bool is_hanging(array_double_1d command);
 static int64_t state_status(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
+static void note_load(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static bool keeps_at(double pace, double speed, double steepness, array_double_2d limits, array_double_2d known, array_double_2d work);
 static double pace_within(double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static int64_t ease_within(double* result_0, double* result_1, double* result_2, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static void open_ways(array_double_2d operation, array_double_2d known);
@@ -22578,11 +22579,20 @@ return 0;
 result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
 return result;
 }
-static bool keeps_at(double pace, double speed, double steepness, double time, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+static void note_load(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
+int64_t order, axis, place;
+write_load(time, time, timing, coefficients, offsets, work);
+for (order = 0; order < 5; order += 1) {
+for (axis = 0; axis < 3; axis += 1) {
+place = 89 + 0 + 3 * order + axis;
+*cspan_at(&work, 161 + order, axis) = *cspan_at(&work, place, 0);
+}
+}
+}
+static bool keeps_at(double pace, double speed, double steepness, array_double_2d limits, array_double_2d known, array_double_2d work) {
 double power, share, value, most, longest, length;
 int64_t order, axis, place;
 bool result;
-write_load(time, time, timing, coefficients, offsets, work);
 power = pace;
 for (order = 1; order < 5; order += 1) {
 share = power;
@@ -22591,7 +22601,7 @@ share = speed;
 }
 for (axis = 0; axis < 3; axis += 1) {
 place = 89 + 0 + 3 * order + axis;
-value = *cspan_at(&work, place, 0);
+value = *cspan_at(&work, 161 + order, axis);
 if ((order == 4) && (*cspan_at(&limits, axis, 3) == 0.0)) {
 most = implied_snap(*cspan_at(&limits, axis, 1), *cspan_at(&limits, axis, 2));
 value = span_min(span_max(value, -most), most);
@@ -22623,10 +22633,11 @@ until = interval_end(time, timing, offsets);
 while(until > time) {
 for (k = 0; k < 4; k += 1) {
 at = time + (until - time) * k / 4;
+note_load(at, timing, coefficients, offsets, work);
 low = 1.0;
 tried = pace;
 for (i = 0; i < 2 + 8; i += 1) {
-if (keeps_at(tried, speed, steepness, at, limits, timing, coefficients, offsets, known, work)) {
+if (keeps_at(tried, speed, steepness, limits, known, work)) {
 low = tried;
 if (i == 0) {
 break;

@@ -70,13 +70,12 @@ def pace_within(
     while until > time:
         for k in range(SAMPLES):
             at = time + (until - time) * k / SAMPLES
+            note_load(at, timing, coefficients, offsets, work)
             low = 1.0
             tried = pace
             # the pace itself, the lowest one, and what is between them
             for i in range(2 + BISECTIONS):
-                if keeps_at(
-                    tried, speed, steepness, at, limits, timing, coefficients, offsets, known, work
-                ):
+                if keeps_at(tried, speed, steepness, limits, known, work):
                     low = tried
                     if i == 0:
                         break
@@ -93,13 +92,23 @@ def pace_within(
     return pace
 
 
+def note_load(
+    time: float, timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
+    work: 'float[:,:]',
+) -> None:
+    """Note the motion at a time [s] in the rows FLAT, as it is looked at for many paces."""
+    write_load(time, time, timing, coefficients, offsets, work)
+    for order in range(5):
+        for axis in range(3):
+            place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
+            work[OperationWork.FLAT + order, axis] = work[place, Range.CENTRE]
+
+
 def keeps_at(
-    pace: float, speed: float, steepness: float, time: float, limits: 'float[:,:]',
-    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
+    pace: float, speed: float, steepness: float, limits: 'float[:,:]', known: 'float[:,:]',
     work: 'float[:,:]',
 ) -> bool:
-    """Whether the motion at a time [s], built up at a pace, keeps the bounds."""
-    write_load(time, time, timing, coefficients, offsets, work)
+    """Whether the motion that `note_load` noted, built up at a pace, keeps the bounds."""
     power = pace
     for order in range(1, 5):
         share = power
@@ -107,7 +116,7 @@ def keeps_at(
             share = speed
         for axis in range(3):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
-            value = work[place, Range.CENTRE]
+            value = work[OperationWork.FLAT + order, axis]
             if order == 4 and limits[axis, 3] == 0.0:
                 # that of steep ramps, which a slower plan has not
                 most = implied_snap(limits[axis, 1], limits[axis, 2])
