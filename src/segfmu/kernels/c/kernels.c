@@ -1060,7 +1060,7 @@ static bool set_axes(array_double_2d limits, array_double_2d lower, array_double
 static bool plan_alone(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double shortest_of(int64_t place, int64_t axis, array_double_2d axes, array_double_3d cells);
 static double least_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
-static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double common_length(double most, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double plan_lengths(array_double_3d states, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
@@ -23690,13 +23690,13 @@ longest = span_max(longest, shortest_of(place, axis, axes, cells));
 }
 return longest;
 }
-static double common_length(int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
+static double common_length(double most, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 int64_t first;
 array_double_2d planner;
 double found;
 first = place * axes.shape[0];
 planner = span_rows(&work, 2, 242);
-found = common_duration(0.0, 1e+300, 0.0, first, first + axes.shape[0], axes, cells, planner);
+found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner);
 return found < 0.0 ? 1e+300 : found;
 }
 static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
@@ -23719,7 +23719,7 @@ total = 0.0;
 for (j = 0; j < spans.shape[0]; j += 1) {
 *cspan_at(&spans, j, 10) = least_length(j, axes, cells, work);
 if (*cspan_at(&spans, j, 10) < 1e+300) {
-*cspan_at(&spans, j, 10) = common_length(j, axes, cells, work);
+*cspan_at(&spans, j, 10) = common_length(1e+300, j, axes, cells, work);
 }
 total = total + *cspan_at(&spans, j, 10);
 }
@@ -23772,7 +23772,7 @@ for (i = 0; i < 3; i += 1) {
 }
 }
 static int64_t offer_states(array_double_3d tried, array_double_3d best, array_double_1d path, array_double_3d links, array_double_2d spans, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
-double total;
+double total, least, most;
 int64_t j, count;
 bool shorter, beyond, slow;
 set_problems(tried, cells);
@@ -23783,10 +23783,11 @@ total = total + *cspan_at(&spans, j, 10);
 }
 shorter = total < *cspan_at(&path, 14);
 if (shorter) {
-total = 0.0;
 for (j = 0; j < spans.shape[0]; j += 1) {
-*cspan_at(&spans, j, 10) = common_length(j, axes, cells, work);
-total = total + *cspan_at(&spans, j, 10);
+least = *cspan_at(&spans, j, 10);
+most = span_max(*cspan_at(&path, 14) - (total - least), (1.0 + 1e-12) * least);
+*cspan_at(&spans, j, 10) = common_length(most, j, axes, cells, work);
+total = total + (*cspan_at(&spans, j, 10) - least);
 }
 shorter = total < *cspan_at(&path, 14);
 }

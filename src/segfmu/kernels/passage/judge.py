@@ -8,7 +8,7 @@ steeper ones would be those of the whole axis.
 from math import exp
 
 from segfmu.kernels.clearance.excursion import greatest_lack, write_room
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.passage.records import Link, Path, Stretch
 from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
@@ -64,12 +64,12 @@ def least_length(
 
 
 def common_length(
-    place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
+    most: float, place: int, axes: 'float[:,:]', cells: 'float[:,:,:]', work: 'float[:,:]'
 ) -> float:
-    """The duration of an interval [s], whose shortest ones are known; NEVER: there is none."""
+    """The duration of an interval [s], whose shortest ones are known; NEVER: none up to `most`."""
     first = place * axes.shape[0]
     planner = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
-    found = common_duration(0.0, NEVER, 0.0, first, first + axes.shape[0], axes, cells, planner)
+    found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner)
     return NEVER if found < 0.0 else found
 
 
@@ -95,7 +95,7 @@ def plan_lengths(
     for j in range(spans.shape[0]):
         spans[j, Stretch.LENGTH] = least_length(j, axes, cells, work)
         if spans[j, Stretch.LENGTH] < NEVER:
-            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
+            spans[j, Stretch.LENGTH] = common_length(NEVER, j, axes, cells, work)
         total = total + spans[j, Stretch.LENGTH]
     return min(total, NEVER)
 
@@ -156,10 +156,12 @@ def offer_states(
         total = total + spans[j, Stretch.LENGTH]
     shorter = total < path[Path.BEST]
     if shorter:
-        total = 0.0
         for j in range(spans.shape[0]):
-            spans[j, Stretch.LENGTH] = common_length(j, axes, cells, work)
-            total = total + spans[j, Stretch.LENGTH]
+            least = spans[j, Stretch.LENGTH]
+            # what takes longer is of no use; all that has no gap is found
+            most = max(path[Path.BEST] - (total - least), (1.0 + EQUAL) * least)
+            spans[j, Stretch.LENGTH] = common_length(most, j, axes, cells, work)
+            total = total + (spans[j, Stretch.LENGTH] - least)
         shorter = total < path[Path.BEST]
     count, beyond = 0, False
     for j in range(spans.shape[0]):
