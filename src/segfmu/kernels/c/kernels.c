@@ -1092,8 +1092,7 @@ static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t 
 static int64_t pair_place(int64_t one, int64_t other);
 static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
 static void give_units(int64_t count, array_double_2d link, array_double_2d square);
-static double hessian_entry(int64_t one, int64_t other, array_double_2d square);
-static int64_t outer_column(int64_t place);
+static void write_curve(array_double_2d link, array_double_2d square);
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square);
 static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square);
 static double gap_of(int64_t point);
@@ -23522,7 +23521,7 @@ duration = theta * exp(*cspan_at(&spans, j, 2));
 for (axis = 0; axis < axes; axis += 1) {
 link = span_matrix(&links, j * axes + axis);
 last = 8 + 4;
-*cspan_at(&spans, j, 4) = *cspan_at(&spans, j, 4) + *cspan_at(&link, 7, 4);
+*cspan_at(&spans, j, 4) = *cspan_at(&spans, j, 4) + *cspan_at(&link, 7, 14);
 *cspan_at(&spans, j, 3) = *cspan_at(&spans, j, 3) + *cspan_at(&link, last, 4);
 }
 if (!(*cspan_at(&spans, j, 3) > 0.0)) {
@@ -23544,7 +23543,7 @@ if ((*cspan_at(&spots, span_floor_div(row, 2), 2, span_floor_mod(row, 2))) == 0.
 continue;
 }
 if (other == i) {
-slope = *cspan_at(&links, i, 7, place) - own * pull / bend;
+slope = *cspan_at(&links, i, 7, 1 + place) - own * pull / bend;
 *cspan_at(&band, row, width) = *cspan_at(&band, row, width) - slope;
 }
 for (beside = 0; beside < 4; beside += 1) {
@@ -23589,19 +23588,19 @@ add_link(i, i - span_floor_mod(i, axes) + other, axes, spots, links, spans, band
 }
 }
 static void write_components(int64_t count, array_double_2d link) {
-int64_t i, place;
-double step, change;
+int64_t i, column, j;
+double step;
 for (i = 0; i < 14 - 5; i += 1) {
+column = 5 + i;
 step = 0.0;
 if (i < count) {
-step = -*cspan_at(&link, 13 + i, 5);
-for (place = 0; place < 4; place += 1) {
-change = *cspan_at(&link, 4, 1 + place);
-step = step - *cspan_at(&link, 13 + i, place) * change;
+step = -*cspan_at(&link, 7, column);
+for (j = 1; j < column; j += 1) {
+step = step - *cspan_at(&link, 13 + i, j) * *cspan_at(&link, 4, j);
 }
-step = step - *cspan_at(&link, 13 + i, 4) * *cspan_at(&link, 4, 14);
+step = step - *cspan_at(&link, 13 + i, 14) * *cspan_at(&link, 4, 14);
 }
-*cspan_at(&link, 4, 5 + i) = step;
+*cspan_at(&link, 4, column) = step;
 }
 }
 static double write_steps(array_double_1d path, array_double_2d tracks, array_double_3d spots, array_double_3d links, array_double_2d spans, array_double_2d band, double theta) {
@@ -24070,8 +24069,8 @@ static void write_least_controls(int64_t order, int64_t first, array_double_2d g
 array_double_2d own, right;
 int64_t i, j, cell;
 double effect, total;
-own = span_rows(&square, 6, 15);
-right = span_rows(&square, 15, 24);
+own = span_rows(&square, 6, 10);
+right = span_rows(&square, 10, 14);
 for (i = 0; i < order; i += 1) {
 for (j = 0; j < order; j += 1) {
 *cspan_at(&own, i, j) = 0.0;
@@ -24113,7 +24112,7 @@ static void write_free_controls(int64_t order, int64_t first, array_double_2d gr
 array_double_2d basis;
 int64_t i, cell, k, sweep, other;
 double value, norm;
-basis = span_rows(&square, 24, 33);
+basis = span_rows(&square, 14, 23);
 for (i = 0; i < 12 - order; i += 1) {
 for (cell = 0; cell < 12; cell += 1) {
 *cspan_at(&basis, i, cell) = 0.0;
@@ -24259,54 +24258,54 @@ place = place + 1;
 }
 }
 }
-static double hessian_entry(int64_t one, int64_t other, array_double_2d square) {
-int64_t first, second;
-double result;
-first = span_max_int(one, other);
-second = span_min_int(one, other);
-if (first == 14) {
-result = *cspan_at(&square, 5, second);
-return result;
+static void write_curve(array_double_2d link, array_double_2d square) {
+int64_t place, j, k, last;
+double crossed;
+place = 0;
+for (j = 0; j < 4; j += 1) {
+for (k = 0; k < j + 1; k += 1) {
+*cspan_at(&link, 8 + j, k) = *cspan_at(&square, 4, place);
+*cspan_at(&link, 8 + k, j) = *cspan_at(&square, 4, place);
+place = place + 1;
 }
-result = (*cspan_at(&square, 4, pair_place(first, second)));
-return result;
+crossed = *cspan_at(&square, 5, 1 + j);
+*cspan_at(&link, 8 + j, 4) = crossed;
 }
-static int64_t outer_column(int64_t place) {
-return place == 4 ? 14 : (int64_t)(1 + place);
+last = 8 + 4;
+*cspan_at(&link, last, 4) = *cspan_at(&square, 5, 14);
 }
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square) {
-array_double_2d own, coupled, solved;
-int64_t i, j, column, k;
-double slope, value;
-own = span_rows(&square, 6, 15);
-coupled = span_rows(&square, 15, 24);
-solved = span_rows(&link, 13, 22);
-for (i = 0; i < count; i += 1) {
-for (j = 0; j < count; j += 1) {
-*cspan_at(&own, i, j) = hessian_entry(5 + i, 5 + j, square);
+int64_t time, j, step, i, own, row, place, k;
+double curve, crossed, slope, factor, other;
+time = 14;
+for (j = 0; j < 15; j += 1) {
+*cspan_at(&link, 7, j) = *cspan_at(&link, 6, j);
 }
-for (j = 0; j < 5; j += 1) {
-*cspan_at(&coupled, i, j) = hessian_entry(5 + i, outer_column(j), square);
-*cspan_at(&solved, i, j) = *cspan_at(&coupled, i, j);
+for (step = 0; step < count; step += 1) {
+i = 5 + count - 1 - step;
+own = pair_place(i, 1);
+curve = (*cspan_at(&square, 4, pair_place(i, i)));
+row = 13 + i - 5;
+crossed = *cspan_at(&square, 5, i);
+slope = *cspan_at(&link, 7, i);
+place = 0;
+for (j = 1; j < i; j += 1) {
+factor = *cspan_at(&square, 4, own + j - 1) / curve;
+*cspan_at(&link, row, j) = factor;
+for (k = 0; k < j - 1 + 1; k += 1) {
+other = *cspan_at(&square, 4, own + k);
+*cspan_at(&square, 4, place) = *cspan_at(&square, 4, place) - factor * other;
+place = place + 1;
 }
-*cspan_at(&solved, i, 5) = *cspan_at(&link, 6, 5 + i);
+*cspan_at(&square, 5, j) = *cspan_at(&square, 5, j) - factor * crossed;
+*cspan_at(&link, 7, j) = *cspan_at(&link, 7, j) - factor * slope;
 }
-matrix_solve(count, 6, own, solved);
-for (j = 0; j < 5; j += 1) {
-column = outer_column(j);
-slope = *cspan_at(&link, 6, column);
-for (i = 0; i < count; i += 1) {
-slope = slope - *cspan_at(&coupled, i, j) * *cspan_at(&solved, i, 5);
+*cspan_at(&link, row, time) = crossed / curve;
+*cspan_at(&square, 5, time) = *cspan_at(&square, 5, time) - crossed / curve * crossed;
+*cspan_at(&link, 7, time) = *cspan_at(&link, 7, time) - crossed / curve * slope;
+*cspan_at(&link, 7, i) = slope / curve;
 }
-*cspan_at(&link, 7, j) = slope;
-for (k = 0; k < 5; k += 1) {
-value = hessian_entry(column, outer_column(k), square);
-for (i = 0; i < count; i += 1) {
-value = value - *cspan_at(&coupled, i, j) * *cspan_at(&solved, i, k);
-}
-*cspan_at(&link, 8 + j, k) = value;
-}
-}
+write_curve(link, square);
 }
 static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square) {
 int64_t j, place, count, i;
@@ -24716,7 +24715,7 @@ bool smoothstep, hopeful, last, result;
 double theta;
 path = span_row(&tools, 0);
 grid = span_rows(&tools, 1, 57);
-square = span_rows(&tools, 57, 90);
+square = span_rows(&tools, 57, 80);
 block_rows(&begin, &end, 0, path, choice);
 given = span_layers(&choice, begin, end);
 block_rows(&begin, &end, 3, path, choice);
@@ -25349,7 +25348,7 @@ reverse_spots(places, axes.shape[0], spots);
 *cspan_at(&path, 4) = places;
 *cspan_at(&path, 7) = 0.0;
 write_tracks(limits, lower, path, axes);
-square = span_rows(&tools, 57, 90);
+square = span_rows(&tools, 57, 80);
 write_grid((int64_t)(*cspan_at(&path, 0)), span_rows(&tools, 1, 57), square);
 result = set_axes(limits, lower, axes, work);
 return result;

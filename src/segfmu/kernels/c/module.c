@@ -4130,7 +4130,7 @@ static PyObject *call_begin_choice(
   && has_at_least(&call, "allowed", 1, in_allowed->shape[1], 2)
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
   && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
@@ -4167,7 +4167,7 @@ static PyObject *call_next_passage(
   && (in_tools = take_array(&call, 0, 2, 'd', true)) != NULL
   && (in_spots = take_array(&call, 1, 3, 'd', false)) != NULL
   && has_at_least(&call, "spots", 0, in_spots->shape[0], 1)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
   && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
   && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)) {
@@ -4212,7 +4212,7 @@ static PyObject *call_choose_passage(
   && has_extent(&call, "axes", 0, in_axes->shape[0], in_choice->shape[1])
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_spans->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
   && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_spans->shape[0] * in_choice->shape[1]))
@@ -4275,7 +4275,7 @@ static PyObject *call_end_choice(
   && has_at_least(&call, "states", 2, in_states->shape[2], 3)
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
-  && has_at_least(&call, "tools", 0, in_tools->shape[0], 90)
+  && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
   && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)) {
   segfmu_end_choice(

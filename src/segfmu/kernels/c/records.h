@@ -1235,7 +1235,7 @@ enum {
     TOOLS_PATH = 0,
     TOOLS_GRID = 1,
     TOOLS_SQUARE = 57,
-    TOOLS_SIZE = 90,
+    TOOLS_SIZE = 80,
     TOOLS_COLUMNS = 107
 };
 

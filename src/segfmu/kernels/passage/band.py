@@ -7,7 +7,7 @@ are those of the matrix from the diagonal to the left, and the right-hand side i
 from math import exp, sqrt
 
 from segfmu.kernels.passage.barrier import state_offset, write_variables
-from segfmu.kernels.passage.records import Free, GridColumn, Link, Path, Solved, Spot, Stretch
+from segfmu.kernels.passage.records import Free, GridColumn, Link, Outer, Path, Spot, Stretch
 
 
 def band_solve(band: 'float[:,:]') -> bool:
@@ -39,7 +39,7 @@ def band_solve(band: 'float[:,:]') -> bool:
 
 
 def end_row(i: int, place: int, axes: int) -> int:
-    """Row of the band of a state at an end (Solved.ENDS + place) of a link."""
+    """Row of the band of a state at an end (Outer.ENDS + place) of a link."""
     spot = i + place // Free.SIZE * axes
     return spot * Free.SIZE + place % Free.SIZE
 
@@ -55,9 +55,9 @@ def write_durations(
         spans[j, Stretch.BEND] = 2.0 * duration
         for axis in range(axes):
             link = links[j * axes + axis, :, :]
-            last = Link.CURVE + Solved.TIME
-            spans[j, Stretch.PULL] = spans[j, Stretch.PULL] + link[Link.SLOPE, Solved.TIME]
-            spans[j, Stretch.BEND] = spans[j, Stretch.BEND] + link[last, Solved.TIME]
+            last = Link.CURVE + Outer.TIME
+            spans[j, Stretch.PULL] = spans[j, Stretch.PULL] + link[Link.SLOPE, GridColumn.TIME]
+            spans[j, Stretch.BEND] = spans[j, Stretch.BEND] + link[last, Outer.TIME]
         if not spans[j, Stretch.BEND] > 0.0:
             return False
     return True
@@ -95,20 +95,20 @@ def add_link(
     width = band.shape[1] - 1
     pull = spans[i // axes, Stretch.PULL]
     bend = spans[i // axes, Stretch.BEND]
-    for place in range(Solved.TIME):
+    for place in range(Outer.TIME):
         row = end_row(i, place, axes)
-        own = links[i, Link.CURVE + place, Solved.TIME]
+        own = links[i, Link.CURVE + place, Outer.TIME]
         if spots[row // Free.SIZE, Spot.CHOSEN, row % Free.SIZE] == 0.0:
             continue
         if other == i:
-            slope = links[i, Link.SLOPE, place] - own * pull / bend
+            slope = links[i, Link.SLOPE, GridColumn.ENDS + place] - own * pull / bend
             band[row, width] = band[row, width] - slope
-        for beside in range(Solved.TIME):
+        for beside in range(Outer.TIME):
             column = end_row(other, beside, axes)
             if spots[column // Free.SIZE, Spot.CHOSEN, column % Free.SIZE] == 0.0:
                 continue
             if column <= row:
-                value = -own * links[other, Link.CURVE + beside, Solved.TIME] / bend
+                value = -own * links[other, Link.CURVE + beside, Outer.TIME] / bend
                 if other == i:
                     value = value + links[i, Link.CURVE + place, beside]
                 band[row, row - column] = band[row, row - column] + value
@@ -134,9 +134,9 @@ def write_steps(
         total = spans[j, Stretch.PULL]
         for axis in range(axes):
             link = links[j * axes + axis, :, :]
-            for place in range(Solved.TIME):
+            for place in range(Outer.TIME):
                 end = GridColumn.ENDS + place
-                total = total + link[Link.CURVE + place, Solved.TIME] * link[Link.STEP, end]
+                total = total + link[Link.CURVE + place, Outer.TIME] * link[Link.STEP, end]
         spans[j, Stretch.STEP] = -total / spans[j, Stretch.BEND]
         promised = promised + theta * exp(spans[j, Stretch.TRIAL]) * spans[j, Stretch.STEP]
     for i in range(links.shape[0]):
@@ -148,13 +148,13 @@ def write_steps(
 
 
 def write_components(count: int, link: 'float[:,:]') -> None:
-    """Write the step of the components, which follow from what is around them."""
+    """Write the step of the components, each of which follows from what is before it."""
     for i in range(GridColumn.TIME - GridColumn.COMPONENTS):
+        column = GridColumn.COMPONENTS + i
         step = 0.0
         if i < count:
-            step = -link[Link.SOLVED + i, Solved.ALONE]
-            for place in range(Solved.TIME):
-                change = link[Link.STEP, GridColumn.ENDS + place]
-                step = step - link[Link.SOLVED + i, place] * change
-            step = step - link[Link.SOLVED + i, Solved.TIME] * link[Link.STEP, GridColumn.TIME]
-        link[Link.STEP, GridColumn.COMPONENTS + i] = step
+            step = -link[Link.SLOPE, column]
+            for j in range(int(GridColumn.ENDS), column):
+                step = step - link[Link.SOLVED + i, j] * link[Link.STEP, j]
+            step = step - link[Link.SOLVED + i, GridColumn.TIME] * link[Link.STEP, GridColumn.TIME]
+        link[Link.STEP, column] = step

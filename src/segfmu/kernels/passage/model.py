@@ -4,16 +4,15 @@ Durations change as T / (1 - s), s being the step: so a step never makes one neg
 that of the tried point.
 """
 
-from segfmu.kernels.numerics.matrices import matrix_solve
 from segfmu.kernels.passage.barrier import write_node_shares
 from segfmu.kernels.passage.records import (
     Free,
     GridColumn,
     GridRow,
     Link,
+    Outer,
     Pair,
     Path,
-    Solved,
     Square,
 )
 
@@ -128,40 +127,48 @@ def write_model(
     eliminate(int(path[Path.COMPONENTS]), link, square)
 
 
-def hessian_entry(one: int, other: int, square: 'float[:,:]') -> float:
-    """An entry of the Hessian, that of the duration included."""
-    first = max(one, other)
-    second = min(one, other)
-    if first == GridColumn.TIME:
-        return square[Square.CROSS, second]
-    return square[Square.HESSIAN, pair_place(first, second)]
-
-
-def outer_column(place: int) -> int:
-    """The column (GridColumn) of a state at an end or the duration, by its place in Solved."""
-    return int(GridColumn.TIME) if place == Solved.TIME else int(GridColumn.ENDS + place)
-
-
 def eliminate(count: int, link: 'float[:,:]', square: 'float[:,:]') -> None:
-    """Write the components by what is around them, and what is left of slope and curvature."""
-    own, coupled = square[Square.OWN:Square.RIGHT, :], square[Square.RIGHT:Square.BASIS, :]
-    solved = link[Link.SOLVED:Link.KEPT, :]
-    for i in range(count):
-        for j in range(count):
-            own[i, j] = hessian_entry(GridColumn.COMPONENTS + i, GridColumn.COMPONENTS + j, square)
-        for j in range(Solved.ALONE):
-            coupled[i, j] = hessian_entry(GridColumn.COMPONENTS + i, outer_column(j), square)
-            solved[i, j] = coupled[i, j]
-        solved[i, Solved.ALONE] = link[Link.GRADIENT, GridColumn.COMPONENTS + i]
-    matrix_solve(count, int(Solved.SIZE), own, solved)
-    for j in range(Solved.ALONE):
-        column = outer_column(j)
-        slope = link[Link.GRADIENT, column]
-        for i in range(count):
-            slope = slope - coupled[i, j] * solved[i, Solved.ALONE]
-        link[Link.SLOPE, j] = slope
-        for k in range(Solved.ALONE):
-            value = hessian_entry(column, outer_column(k), square)
-            for i in range(count):
-                value = value - coupled[i, j] * solved[i, k]
-            link[Link.CURVE + j, k] = value
+    """Write the components by what is before them, and what is left of slope and curvature.
+
+    The last component goes first (Cholesky's method without roots): each follows from the states
+    at the ends, the duration, and the components before it.
+    """
+    time = int(GridColumn.TIME)
+    for j in range(GridColumn.SIZE):
+        link[Link.SLOPE, j] = link[Link.GRADIENT, j]
+    for step in range(count):
+        i = int(GridColumn.COMPONENTS) + count - 1 - step
+        own = pair_place(i, int(GridColumn.ENDS))
+        curve = square[Square.HESSIAN, pair_place(i, i)]
+        row = Link.SOLVED + i - int(GridColumn.COMPONENTS)
+        crossed = square[Square.CROSS, i]
+        slope = link[Link.SLOPE, i]
+        place = 0
+        for j in range(int(GridColumn.ENDS), i):
+            factor = square[Square.HESSIAN, own + j - int(GridColumn.ENDS)] / curve
+            link[row, j] = factor
+            for k in range(j - int(GridColumn.ENDS) + 1):
+                other = square[Square.HESSIAN, own + k]
+                square[Square.HESSIAN, place] = square[Square.HESSIAN, place] - factor * other
+                place = place + 1
+            square[Square.CROSS, j] = square[Square.CROSS, j] - factor * crossed
+            link[Link.SLOPE, j] = link[Link.SLOPE, j] - factor * slope
+        link[row, time] = crossed / curve
+        square[Square.CROSS, time] = square[Square.CROSS, time] - crossed / curve * crossed
+        link[Link.SLOPE, time] = link[Link.SLOPE, time] - crossed / curve * slope
+        link[Link.SLOPE, i] = slope / curve
+    write_curve(link, square)
+
+
+def write_curve(link: 'float[:,:]', square: 'float[:,:]') -> None:
+    """Copy what is left of the curvature, by the states at the ends and the duration (Outer)."""
+    place = 0
+    for j in range(Outer.TIME):
+        for k in range(j + 1):
+            link[Link.CURVE + j, k] = square[Square.HESSIAN, place]
+            link[Link.CURVE + k, j] = square[Square.HESSIAN, place]
+            place = place + 1
+        crossed = square[Square.CROSS, GridColumn.ENDS + j]
+        link[Link.CURVE + j, Outer.TIME] = crossed
+    last = Link.CURVE + Outer.TIME
+    link[last, Outer.TIME] = square[Square.CROSS, GridColumn.TIME]

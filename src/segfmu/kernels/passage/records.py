@@ -128,9 +128,10 @@ class Link(Record):
     STEP = field("Newton's step", of=GridColumn)
     TRIAL = field("variables of the point that is tried", of=GridColumn)
     GRADIENT = field("of the barrier", of=GridColumn)
-    SLOPE = field("of the barrier without the components", of=GridColumn)
-    CURVE = field("its curvature", size=5, of=GridColumn)
-    SOLVED = field("components by what is around them, see Solved", size=9, of=GridColumn)
+    SLOPE = field("of the barrier without the components; theirs over their own curvature",
+                  of=GridColumn)
+    CURVE = field("curvature of the barrier without them, see Outer", size=5, of=GridColumn)
+    SOLVED = field("a component by each column before it, and the duration", size=9, of=GridColumn)
     KEPT = field("shortest duration and its kind (Interval), before a state is moved")
 
 
@@ -160,8 +161,8 @@ class Square(Record):
     SCALE = field("of a derivative, by its order: what makes it a share")
     HESSIAN = field("of the barrier", of=Pair)
     CROSS = field("its entries by a variable and the duration", of=GridColumn)
-    OWN = field("its part of the components", size=9, of=GridColumn)
-    RIGHT = field("right-hand sides", size=9, of=GridColumn)
+    OWN = field("conditions at the end, by the controls of least norm", size=4, of=GridColumn)
+    RIGHT = field("right-hand sides", size=4, of=GridColumn)
     BASIS = field("orthogonal controls that change nothing at the ends", size=9, of=GridColumn)
 
 
@@ -173,9 +174,8 @@ class Tools(Record):
     SQUARE = field("work space", size=Square.SIZE, of=GridColumn)
 
 
-class Solved(Record):
-    """Columns of `Link.SOLVED`, by which the components change."""
+class Outer(Record):
+    """Columns of `Link.CURVE`: what is around the components."""
 
     ENDS = field("states at the ends", size=4)
     TIME = field("logarithm of the duration")
-    ALONE = field("without a change of these")
