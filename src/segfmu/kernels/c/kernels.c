@@ -1088,9 +1088,9 @@ static void project_out(int64_t unit, int64_t row, array_double_2d basis);
 static void write_free_controls(int64_t order, int64_t first, array_double_2d grid, array_double_2d square);
 static void write_products(array_double_1d row);
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square);
-static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square);
+static int64_t weigh_row(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t row, array_double_1d path, array_double_2d grid, array_double_2d square);
 static int64_t pair_place(int64_t one, int64_t other);
-static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
+static void add_rows(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square);
 static void give_units(int64_t count, array_double_2d link, array_double_2d square);
 static void write_curve(array_double_2d link, array_double_2d square);
 static void eliminate(int64_t count, array_double_2d link, array_double_2d square);
@@ -23378,22 +23378,29 @@ whole = whole * duration;
 }
 }
 static void write_node_shares(array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square) {
-int64_t count, i, derivative, j;
-double scale, total, where;
+int64_t count, i, derivative, group, other, j;
+double total, part, where;
 write_scales(path, track, time, link, square);
 count = (int64_t)(5 + *cspan_at(&path, 1));
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
 derivative = (int64_t)(*cspan_at(&grid, i, 105));
-*cspan_at(&grid, i, 106) = 0.0;
-scale = *cspan_at(&square, 3, derivative);
-if (scale > 0.0) {
 total = 0.0;
-for (j = 0; j < count; j += 1) {
-total = total + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
+for (group = 0; group < 3; group += 1) {
+part = *cspan_at(&grid, i, 0 + group) * *cspan_at(&square, 2, group);
+if (group > 0) {
+other = group + 2;
+part = part + *cspan_at(&grid, i, 0 + other) * *cspan_at(&square, 2, other);
 }
+*cspan_at(&grid, i, 107 + group) = part;
+total = total + part;
+}
+part = 0.0;
+for (j = 5; j < count; j += 1) {
+part = part + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
+}
+*cspan_at(&grid, i, 107 + 3) = part;
 where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 9);
-*cspan_at(&grid, i, 106) = total * scale + where;
-}
+*cspan_at(&grid, i, 106) = (total + part) * *cspan_at(&square, 3, derivative) + where;
 }
 }
 static double largest_node_share(array_double_1d path, array_double_2d tracks, array_double_3d links, array_double_2d spans, array_double_2d grid, array_double_2d square) {
@@ -24149,14 +24156,16 @@ place = place + 1;
 }
 }
 static void write_grid(int64_t order, array_double_2d grid, array_double_2d square) {
-int64_t first, i, j, derivative, node, cell;
+int64_t first, i, derivative, node, j, cell, i_0001, i_0002;
 double total, effect;
 first = order * 11;
+for (i_0001 = 0; i_0001 < grid.shape[0]; i_0001 += 1) {
+for (i_0002 = 0; i_0002 < grid.shape[1]; i_0002 += 1) {
+*cspan_at(&grid, i_0001, i_0002) = 0.0;
+}
+}
 for (i = 0; i < first + 12; i += 1) {
 *cspan_at(&grid, i, 105) = span_min_int(span_floor_div(i, 11), order);
-for (j = 0; j < 14; j += 1) {
-*cspan_at(&grid, i, 0 + j) = 0.0;
-}
 }
 write_least_controls(order, first, grid, square);
 write_free_controls(order, first, grid, square);
@@ -24176,37 +24185,29 @@ for (i = 0; i < first + 12; i += 1) {
 write_products(span_row(&grid, i));
 }
 }
-static int64_t row_change(double* result_0_0001, double* result_1_0001, int64_t row, int64_t count, array_double_2d grid, array_double_2d square) {
-int64_t derivative, power, end, j, exponent;
-double slope, bend, part, scale;
+static int64_t weigh_row(double* result_0_0001, double* result_1_0001, double* result_2_0001, int64_t row, array_double_1d path, array_double_2d grid, array_double_2d square) {
+int64_t derivative, group, exponent;
+double scale, slope, bend, part, share, inner, first, second;
 derivative = (int64_t)(*cspan_at(&grid, row, 105));
+scale = *cspan_at(&square, 3, derivative);
 slope = 0.0;
 bend = 0.0;
-for (power = 0; power < 3; power += 1) {
-part = 0.0;
-if (power == 0) {
-part = *cspan_at(&grid, row, 0) * *cspan_at(&square, 2, 0);
+for (group = 0; group < 4; group += 1) {
+exponent = (group == 3 ? (int64_t)(*cspan_at(&path, 0)) : group) - derivative;
+part = scale * *cspan_at(&grid, row, 107 + group) * exponent;
+slope = slope + part;
+bend = bend + part * (exponent + 1);
 }
-else {
-for (end = 0; end < 2; end += 1) {
-j = 1 + end * 2 + power - 1;
-part = part + *cspan_at(&grid, row, 0 + j) * *cspan_at(&square, 2, j);
-}
-}
-exponent = power - derivative;
-slope = slope + part * exponent;
-bend = bend + part * exponent * (exponent + 1);
-}
-part = 0.0;
-for (j = 5; j < count; j += 1) {
-part = part + *cspan_at(&grid, row, 0 + j) * *cspan_at(&square, 2, j);
-}
-exponent = (int64_t)(*cspan_at(&square, 1, 5)) - derivative;
-slope = slope + part * exponent;
-bend = bend + part * exponent * (exponent + 1);
-scale = *cspan_at(&square, 3, derivative);
-(*result_0_0001) = scale * slope;
-(*result_1_0001) = scale * bend;
+share = *cspan_at(&grid, row, 106);
+inner = (1.0 - share) * (1.0 + share);
+first = 2.0 * share / inner;
+second = 2.0 * (1.0 + share * share) / (inner * inner);
+*cspan_at(&grid, row, 111) = first * scale;
+*cspan_at(&grid, row, 113) = (second * slope - first * derivative) * scale;
+*cspan_at(&grid, row, 112) = second * scale * scale;
+(*result_0_0001) = first * slope;
+(*result_1_0001) = first * bend;
+(*result_2_0001) = second * slope * slope;
 return 0;
 }
 static int64_t pair_place(int64_t one, int64_t other) {
@@ -24215,31 +24216,33 @@ row = one - 1;
 place = span_floor_div(row * (row + 1), 2);
 return place + other - 1;
 }
-static double add_share(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
-int64_t derivative, j, place;
-double slope, bend, share, inner, first, second, scale, pull, crossed, curve, by, added;
-derivative = (int64_t)(*cspan_at(&grid, row, 105));
-row_change(&slope, &bend, row, count, grid, square);
-share = *cspan_at(&grid, row, 106);
-inner = (1.0 - share) * (1.0 + share);
-first = 2.0 * share / inner;
-second = 2.0 * (1.0 + share * share) / (inner * inner);
-scale = *cspan_at(&square, 3, derivative);
-pull = first * scale;
-crossed = (second * slope - first * derivative) * scale;
-curve = second * scale * scale;
+static void add_rows(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
+array_double_1d one, two, three, four;
+int64_t j, by, place, product;
+double pull, crossed, first, second, third, fourth, added;
+one = span_row(&grid, row);
+two = span_row(&grid, row + 1);
+three = span_row(&grid, row + 2);
+four = span_row(&grid, row + 3);
 for (j = 1; j < count; j += 1) {
-by = *cspan_at(&grid, row, 0 + j);
-*cspan_at(&link, 6, j) = *cspan_at(&link, 6, j) + pull * by;
-*cspan_at(&square, 5, j) = *cspan_at(&square, 5, j) + crossed * by;
+by = 0 + j;
+pull = *cspan_at(&one, 111) * *cspan_at(&one, by) + *cspan_at(&two, 111) * *cspan_at(&two, by);
+pull = pull + *cspan_at(&three, 111) * *cspan_at(&three, by) + *cspan_at(&four, 111) * *cspan_at(&four, by);
+*cspan_at(&link, 6, j) = *cspan_at(&link, 6, j) + pull;
+crossed = *cspan_at(&one, 113) * *cspan_at(&one, by) + *cspan_at(&two, 113) * *cspan_at(&two, by);
+crossed = crossed + *cspan_at(&three, 113) * *cspan_at(&three, by) + *cspan_at(&four, 113) * *cspan_at(&four, by);
+*cspan_at(&square, 5, j) = *cspan_at(&square, 5, j) + crossed;
 }
+first = *cspan_at(&one, 112);
+second = *cspan_at(&two, 112);
+third = *cspan_at(&three, 112);
+fourth = *cspan_at(&four, 112);
 for (place = 0; place < pair_place(count, 1); place += 1) {
-added = curve * *cspan_at(&grid, row, 14 + place);
+product = 14 + place;
+added = first * *cspan_at(&one, product) + second * *cspan_at(&two, product);
+added = added + third * *cspan_at(&three, product) + fourth * *cspan_at(&four, product);
 *cspan_at(&square, 4, place) = *cspan_at(&square, 4, place) + added;
 }
-*cspan_at(&link, 6, 14) = *cspan_at(&link, 6, 14) + first * slope;
-*cspan_at(&square, 5, 14) = *cspan_at(&square, 5, 14) + first * bend;
-return second * slope * slope;
 }
 static void give_units(int64_t count, array_double_2d link, array_double_2d square) {
 int64_t place, j, k;
@@ -24309,7 +24312,7 @@ write_curve(link, square);
 }
 static void write_model(double ridge, array_double_1d path, array_double_1d track, double time, array_double_2d link, array_double_2d grid, array_double_2d square) {
 int64_t j, place, count, i;
-double curvature;
+double slope, bend, curvature, own_slope, own_bend, own_curvature;
 write_node_shares(path, track, time, link, grid, square);
 for (j = 0; j < 15; j += 1) {
 *cspan_at(&link, 6, j) = 0.0;
@@ -24319,19 +24322,25 @@ for (place = 0; place < 91; place += 1) {
 *cspan_at(&square, 4, place) = 0.0;
 }
 count = (int64_t)(5 + *cspan_at(&path, 1));
+slope = 0.0;
+bend = 0.0;
 curvature = 0.0;
 for (i = 0; i < (int64_t)(*cspan_at(&path, 2)); i += 1) {
-if ((*cspan_at(&link, 2, (int64_t)(*cspan_at(&grid, i, 105)))) > 0.0) {
-curvature = curvature + add_share(i, count, link, grid, square);
+weigh_row(&own_slope, &own_bend, &own_curvature, i, path, grid, square);
+slope = slope + own_slope;
+bend = bend + own_bend;
+curvature = curvature + own_curvature;
 }
+for (i = 0; i < span_floor_div(56, 4); i += 1) {
+add_rows(4 * i, count, link, grid, square);
 }
 give_units(count, link, square);
+*cspan_at(&link, 6, 14) = slope;
 for (j = 1; j < 5; j += 1) {
 place = pair_place(j, j);
 *cspan_at(&square, 4, place) = (1.0 + ridge) * *cspan_at(&square, 4, place);
 }
-curvature = (1.0 + ridge) * curvature;
-*cspan_at(&square, 5, 14) = curvature + *cspan_at(&square, 5, 14);
+*cspan_at(&square, 5, 14) = (1.0 + ridge) * curvature + bend;
 eliminate((int64_t)(*cspan_at(&path, 1)), link, square);
 }
 static double gap_of(int64_t point) {

@@ -4131,7 +4131,7 @@ static PyObject *call_begin_choice(
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
   && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 114)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
@@ -4168,7 +4168,7 @@ static PyObject *call_next_passage(
   && (in_spots = take_array(&call, 1, 3, 'd', false)) != NULL
   && has_at_least(&call, "spots", 0, in_spots->shape[0], 1)
   && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 114)
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
   && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)) {
   answer = PyBool_FromLong(segfmu_next_passage(
@@ -4213,7 +4213,7 @@ static PyObject *call_choose_passage(
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_spans->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
   && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 114)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_spans->shape[0] * in_choice->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
@@ -4276,7 +4276,7 @@ static PyObject *call_end_choice(
   && has_at_least(&call, "choice", 0, in_choice->shape[0], (5 * in_states->shape[0]))
   && has_at_least(&call, "choice", 2, in_choice->shape[2], 3)
   && has_at_least(&call, "tools", 0, in_tools->shape[0], 80)
-  && has_at_least(&call, "tools", 1, in_tools->shape[1], 107)
+  && has_at_least(&call, "tools", 1, in_tools->shape[1], 114)
   && has_at_least(&call, "axes", 1, in_axes->shape[1], 60)) {
   segfmu_end_choice(
    (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},

@@ -1236,7 +1236,7 @@ enum {
     TOOLS_GRID = 1,
     TOOLS_SQUARE = 57,
     TOOLS_SIZE = 80,
-    TOOLS_COLUMNS = 107
+    TOOLS_COLUMNS = 114
 };
 
 /* kernels/planner/records.py */

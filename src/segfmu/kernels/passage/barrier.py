@@ -71,19 +71,26 @@ def write_node_shares(
     path: 'float[:]', track: 'float[:]', time: float, link: 'float[:,:]', grid: 'float[:,:]',
     square: 'float[:,:]',
 ) -> None:
-    """Write the shares of the tried point of a link, with `write_scales`."""
+    """Write the shares of the tried point of a link, and their parts, with `write_scales`."""
     write_scales(path, track, time, link, square)
     count = int(GridColumn.COMPONENTS + path[Path.COMPONENTS])
     for i in range(int(path[Path.ROWS])):
         derivative = int(grid[i, GridRow.ORDER])
-        grid[i, GridRow.SHARE] = 0.0
-        scale = square[Square.SCALE, derivative]
-        if scale > 0.0:
-            total = 0.0
-            for j in range(count):
-                total = total + grid[i, GridRow.BY + j] * square[Square.PART, j]
-            where = link[Link.WHERE, derivative] / path[Path.ROOM]
-            grid[i, GridRow.SHARE] = total * scale + where
+        total = 0.0
+        for group in range(3):
+            # distance, velocities, accelerations
+            part = grid[i, GridRow.BY + group] * square[Square.PART, group]
+            if group > 0:
+                other = group + Free.SIZE
+                part = part + grid[i, GridRow.BY + other] * square[Square.PART, other]
+            grid[i, GridRow.PART + group] = part
+            total = total + part
+        part = 0.0
+        for j in range(int(GridColumn.COMPONENTS), count):
+            part = part + grid[i, GridRow.BY + j] * square[Square.PART, j]
+        grid[i, GridRow.PART + 3] = part
+        where = link[Link.WHERE, derivative] / path[Path.ROOM]
+        grid[i, GridRow.SHARE] = (total + part) * square[Square.SCALE, derivative] + where
 
 
 def largest_node_share(

@@ -48,10 +48,10 @@ def is_required(derivative: int, column: int) -> bool:
 def write_grid(order: int, grid: 'float[:,:]', square: 'float[:,:]') -> None:
     """Write how the derivatives up to the control's order depend on the columns."""
     first = order * Cells.INNER
+    # rows that this order does not use count for nothing
+    grid[:, :] = 0.0
     for i in range(first + Cells.COUNT):
         grid[i, GridRow.ORDER] = min(i // Cells.INNER, order)
-        for j in range(GridColumn.TIME):
-            grid[i, GridRow.BY + j] = 0.0
     write_least_controls(order, first, grid, square)
     write_free_controls(order, first, grid, square)
     for i in range(first):

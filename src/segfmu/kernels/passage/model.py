@@ -6,7 +6,7 @@ that of the tried point.
 
 from segfmu.kernels.passage.barrier import write_node_shares
 from segfmu.kernels.passage.records import (
-    Free,
+    Cells,
     GridColumn,
     GridRow,
     Link,
@@ -17,64 +17,56 @@ from segfmu.kernels.passage.records import (
 )
 
 
-def row_change(
-    row: int, count: int, grid: 'float[:,:]', square: 'float[:,:]'
-) -> 'tuple[float, float]':
-    """Slope and curvature of a share by the logarithm of the duration.
+def weigh_row(
+    row: int, path: 'float[:]', grid: 'float[:,:]', square: 'float[:,:]'
+) -> 'tuple[float, float, float]':
+    """Write by how much a share adds to the barrier's derivatives by two columns (`add_rows`).
 
-    A column has a power of the duration, and the share that of its derivative less.
+    Returned: its part of slope, and of curvature, by the logarithm of the duration. A column has a
+    power of the duration, and the share that of its derivative less.
     """
     derivative = int(grid[row, GridRow.ORDER])
-    slope, bend = 0.0, 0.0
-    for power in range(3):
-        part = 0.0
-        if power == 0:
-            part = grid[row, GridRow.BY] * square[Square.PART, GridColumn.DISTANCE]
-        else:
-            for end in range(2):
-                j = GridColumn.ENDS + end * Free.SIZE + power - 1
-                part = part + grid[row, GridRow.BY + j] * square[Square.PART, j]
-        exponent = power - derivative
-        slope = slope + part * exponent
-        bend = bend + part * exponent * (exponent + 1)
-    part = 0.0
-    for j in range(int(GridColumn.COMPONENTS), count):
-        part = part + grid[row, GridRow.BY + j] * square[Square.PART, j]
-    exponent = int(square[Square.POWER, GridColumn.COMPONENTS]) - derivative
-    slope = slope + part * exponent
-    bend = bend + part * exponent * (exponent + 1)
     scale = square[Square.SCALE, derivative]
-    return scale * slope, scale * bend
-
-
-def add_share(
-    row: int, count: int, link: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]'
-) -> float:
-    """Add the barrier of a share to Hessian and gradient, but for the units of their columns.
-
-    Returns its part of the curvature by the duration.
-    """
-    derivative = int(grid[row, GridRow.ORDER])
-    slope, bend = row_change(row, count, grid, square)
+    slope, bend = 0.0, 0.0
+    for group in range(4):
+        exponent = (int(path[Path.ORDER]) if group == 3 else group) - derivative
+        part = scale * grid[row, GridRow.PART + group] * exponent
+        slope = slope + part
+        bend = bend + part * (exponent + 1)
     share = grid[row, GridRow.SHARE]
     inner = (1.0 - share) * (1.0 + share)
     first = 2.0 * share / inner
     second = 2.0 * (1.0 + share * share) / (inner * inner)
-    scale = square[Square.SCALE, derivative]
-    pull = first * scale
-    crossed = (second * slope - first * derivative) * scale
-    curve = second * scale * scale
+    grid[row, GridRow.PULL] = first * scale
+    grid[row, GridRow.CROSSED] = (second * slope - first * derivative) * scale
+    grid[row, GridRow.CURVE] = second * scale * scale
+    return first * slope, first * bend, second * slope * slope
+
+
+def add_rows(
+    row: int, count: int, link: 'float[:,:]', grid: 'float[:,:]', square: 'float[:,:]'
+) -> None:
+    """Add four rows to gradient and Hessian, but for the units of their columns.
+
+    Each is passed through once for four rows: the sums cost more to fetch than to make.
+    """
+    one, two = grid[row, :], grid[row + 1, :]
+    three, four = grid[row + 2, :], grid[row + 3, :]
     for j in range(int(GridColumn.ENDS), count):
-        by = grid[row, GridRow.BY + j]
-        link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + pull * by
-        square[Square.CROSS, j] = square[Square.CROSS, j] + crossed * by
-    # in one pass: loops over the short rows of the Hessian take several times as long
+        by = GridRow.BY + j
+        pull = one[GridRow.PULL] * one[by] + two[GridRow.PULL] * two[by]
+        pull = pull + three[GridRow.PULL] * three[by] + four[GridRow.PULL] * four[by]
+        link[Link.GRADIENT, j] = link[Link.GRADIENT, j] + pull
+        crossed = one[GridRow.CROSSED] * one[by] + two[GridRow.CROSSED] * two[by]
+        crossed = crossed + three[GridRow.CROSSED] * three[by] + four[GridRow.CROSSED] * four[by]
+        square[Square.CROSS, j] = square[Square.CROSS, j] + crossed
+    first, second = one[GridRow.CURVE], two[GridRow.CURVE]
+    third, fourth = three[GridRow.CURVE], four[GridRow.CURVE]
     for place in range(pair_place(count, GridColumn.ENDS)):
-        added = curve * grid[row, GridRow.PRODUCT + place]
+        product = GridRow.PRODUCT + place
+        added = first * one[product] + second * two[product]
+        added = added + third * three[product] + fourth * four[product]
         square[Square.HESSIAN, place] = square[Square.HESSIAN, place] + added
-    link[Link.GRADIENT, GridColumn.TIME] = link[Link.GRADIENT, GridColumn.TIME] + first * slope
-    square[Square.CROSS, GridColumn.TIME] = square[Square.CROSS, GridColumn.TIME] + first * bend
-    return second * slope * slope
 
 
 def pair_place(one: int, other: int) -> int:
@@ -114,16 +106,20 @@ def write_model(
     for place in range(Pair.SIZE):
         square[Square.HESSIAN, place] = 0.0
     count = int(GridColumn.COMPONENTS + path[Path.COMPONENTS])
-    curvature = 0.0
+    slope, bend, curvature = 0.0, 0.0, 0.0
     for i in range(int(path[Path.ROWS])):
-        if link[Link.SCALE, int(grid[i, GridRow.ORDER])] > 0.0:
-            curvature = curvature + add_share(i, count, link, grid, square)
+        own_slope, own_bend, own_curvature = weigh_row(i, path, grid, square)
+        slope = slope + own_slope
+        bend = bend + own_bend
+        curvature = curvature + own_curvature
+    for i in range(Cells.ROWS // 4):
+        add_rows(4 * i, count, link, grid, square)
     give_units(count, link, square)
+    link[Link.GRADIENT, GridColumn.TIME] = slope
     for j in range(int(GridColumn.ENDS), GridColumn.COMPONENTS):
         place = pair_place(j, j)
         square[Square.HESSIAN, place] = (1.0 + ridge) * square[Square.HESSIAN, place]
-    curvature = (1.0 + ridge) * curvature
-    square[Square.CROSS, GridColumn.TIME] = curvature + square[Square.CROSS, GridColumn.TIME]
+    square[Square.CROSS, GridColumn.TIME] = (1.0 + ridge) * curvature + bend
     eliminate(int(path[Path.COMPONENTS]), link, square)
 
 

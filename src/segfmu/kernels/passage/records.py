@@ -116,6 +116,10 @@ class GridRow(Record):
     PRODUCT = field("of two of these, see Pair", size=Pair.SIZE)
     ORDER = field("of the derivative")
     SHARE = field("its value over its limit")
+    PART = field("of the value by the distance, velocities, accelerations and the control", size=4)
+    PULL = field("slope of the barrier by the value")
+    CURVE = field("its curvature")
+    CROSSED = field("its curvature by the value and the logarithm of the duration")
 
 
 class Link(Record):
