@@ -64,14 +64,14 @@ def test_long_missions_are_planned_and_better_than_with_free_velocities_alone(se
 
 
 def test_a_long_arc_is_shorter_than_its_halves_with_a_stop_between() -> None:
-    """In each of its first paths some of the 79 intervals are slow; it took twice as long."""
+    """In each of its first paths some of the 79 intervals are slow; it took up to twice as long."""
     arc = list(missions(34, (80, 80), 3))[-1]
     whole, *halves = (
         plan(Mission(arc.kind, places, arc.limits).waypoints("free", "free"), arc.bounds)
         for places in (arc.positions, arc.positions[:41], arc.positions[40:])
     )
     assert arc.kind == "arc" and verify(whole).passed
-    assert whole.duration < sum(half.duration for half in halves)
+    assert whole.duration < 0.8 * sum(half.duration for half in halves)
 
 
 def test_polishing_ends_no_later_than_with_free_velocities_alone() -> None:

@@ -24829,7 +24829,7 @@ for (j = 0; j < spans.shape[0]; j += 1) {
 block_rows(&begin, &end, 0, path, choice);
 resting = !is_moving(span_layers(&choice, begin, end));
 known = *cspan_at(&path, 14);
-for (sweep = 0; sweep < 10; sweep += 1) {
+for (sweep = 0; sweep < 20; sweep += 1) {
 going_on = try_path(choice, tools, axes, spots, links, spans, band, cells, timing, coefficients, work);
 if (sweep == 0) {
 *cspan_at(&path, 13) = span_min(*cspan_at(&path, 13), *cspan_at(&path, 12));
@@ -24837,7 +24837,7 @@ if (sweep == 0) {
 if (!going_on) {
 return;
 }
-if (!tighten_path((sweep > span_floor_div(10, 2)) && (*cspan_at(&path, 14) >= known), spans)) {
+if (!tighten_path((sweep > span_floor_div(3 * 20, 4)) && (*cspan_at(&path, 14) >= known), spans)) {
 return;
 }
 *cspan_at(&path, 11) = resting;

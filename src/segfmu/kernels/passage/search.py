@@ -48,8 +48,9 @@ SMOOTHSTEP_SNAP = 0.5
 TIGHTER = 0.5
 TIGHTENING = 1.4
 TIGHT_ENOUGH = 0.4
-# paths, until none is tried
-SWEEPS = 10
+# paths, until none is tried; in the last quarter all intervals get tighter: sooner, a long mission
+# would become slow as a whole for a few intervals that take several paths
+SWEEPS = 20
 # states are multiples of their limit over this
 DIGITS = 65536.0
 
@@ -286,7 +287,7 @@ def search_states(
             path[Path.LOOSEST] = min(path[Path.LOOSEST], path[Path.TOTAL])
         if not going_on:
             return
-        if not tighten_path(sweep > SWEEPS // 2 and path[Path.BEST] >= known, spans):
+        if not tighten_path(sweep > 3 * SWEEPS // 4 and path[Path.BEST] >= known, spans):
             return
         # the next path is much like this one
         path[Path.FOLLOWED] = resting
