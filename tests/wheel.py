@@ -115,6 +115,9 @@ def check_wheel(wheel: Path) -> None:
         libraries = [unpack(archive.read(name)) for name in fmus]
     # all models; pages have two of them, in one version of FMI
     assert sorted(map(len, libraries)) == [2, *[2 * len(registered())] * len(PLATFORMS)], fmus
+    # FMUs take them along: see setup.py
+    assert "segfmu/fmu/sources.tar.bz2" in names
+    assert not any(n.endswith((".c", ".h")) and "/c/" in n for n in names)
     modules = [n for n in names if n.endswith((".so", ".pyd"))]
     assert len(modules) == 2, modules
     tops = {n.partition("/")[0].partition("-")[0] for n in names}

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib.resources import files
 
+from segfmu.fmu.sources import sources_of
 from segfmu.fmu.standard.spec import Spec
 from segfmu.kernels.records import Record
 
@@ -51,12 +52,10 @@ class Model:
     @property
     def sources(self) -> dict[str, bytes]:
         """Texts of the model in C by the names of their files."""
-        folders = [files(package).joinpath("c") for package in (*self.shared, self.package)]
-        return {
-            p.name: p.read_bytes()
-            for folder in folders for p in sorted(folder.iterdir(), key=lambda p: p.name)
-            if p.name.endswith((".c", ".h"))
-        }
+        found: dict[str, bytes] = {}
+        for package in (*self.shared, self.package):
+            found |= sources_of(package)
+        return found
 
     @property
     def icon(self) -> bytes:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import lzma
 import re
 import zipfile
 from pathlib import Path
@@ -117,16 +116,6 @@ def test_what_a_run_needs_is_that_of_the_whole(native_fmus, fmi: int, tmp_path: 
     with Importer(path) as fmu:
         fmu.initialise()
         fmu.step(0.0, 0.1)
-
-
-def test_a_source_may_be_compressed(tmp_path: Path) -> None:
-    (tmp_path / "fmi").mkdir()
-    (tmp_path / "fmi" / "one.c").write_bytes(b"int one;\n")
-    (tmp_path / "fmi" / "two.c.xz").write_bytes(lzma.compress(b"int two;\n"))
-    assert native.source(tmp_path, "fmi/one.c") == b"int one;\n"
-    assert native.source(tmp_path, "fmi/two.c") == b"int two;\n"
-    with pytest.raises(FileNotFoundError):
-        native.source(tmp_path, "three.c")
 
 
 def test_waypoints_are_arrays_of_fmi3(native_fmus) -> None:

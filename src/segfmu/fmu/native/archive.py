@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import lzma
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
-from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from segfmu.fmu.models import named
@@ -17,6 +15,7 @@ from segfmu.fmu.native.binaries import APART, CORE, SHARED, UNIT, binary
 from segfmu.fmu.native.compilers import PLATFORMS, host, universal
 from segfmu.fmu.native.processes import on_all_cores
 from segfmu.fmu.placing import placing
+from segfmu.fmu.sources import sources_of
 from segfmu.fmu.standard import fmi2, fmi3
 from segfmu.fmu.standard.documentation import page
 from segfmu.fmu.standard.spec import Spec
@@ -121,16 +120,8 @@ def _unit(texts: Iterable[str]) -> str:
 
 def _packaged(package: str, names: Iterable[str]) -> dict[str, bytes]:
     """Sources of a package by the last part of their names."""
-    folder = files(package).joinpath("c")
-    return {n.rpartition("/")[2]: source(folder, n) for n in names}
-
-
-def source(folder: Traversable, name: str) -> bytes:
-    """A source; wheels have the largest one compressed (setup.py)."""
-    place = folder.joinpath(*name.split("/"))
-    if place.is_file():
-        return place.read_bytes()
-    return lzma.decompress(folder.joinpath(*f"{name}.xz".split("/")).read_bytes())
+    texts = sources_of(package)
+    return {n.rpartition("/")[2]: texts[n] for n in names}
 
 
 def entries(spec: Spec, fmi: int, platforms: Sequence[str]) -> dict[str, bytes]:

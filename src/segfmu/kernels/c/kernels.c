@@ -22601,7 +22601,7 @@ share = speed;
 for (axis = 0; axis < 3; axis += 1) {
 place = 89 + 0 + 3 * order + axis;
 value = *cspan_at(&work, 161 + order, axis);
-if ((order == 4) && (*cspan_at(&limits, axis, 3) == 0.0)) {
+if ((order == 4) && (*cspan_at(&limits, axis, order - 1) == 0.0)) {
 most = implied_snap(*cspan_at(&limits, axis, 1), *cspan_at(&limits, axis, 2));
 value = span_min(span_max(value, -most), most);
 }
@@ -23398,7 +23398,7 @@ part = 0.0;
 for (j = 5; j < count; j += 1) {
 part = part + *cspan_at(&grid, i, 0 + j) * *cspan_at(&square, 2, j);
 }
-*cspan_at(&grid, i, 107 + 3) = part;
+*cspan_at(&grid, i, 110) = part;
 where = *cspan_at(&link, 1, derivative) / *cspan_at(&path, 9);
 *cspan_at(&grid, i, 106) = (total + part) * *cspan_at(&square, 3, derivative) + where;
 }
@@ -24192,8 +24192,11 @@ derivative = (int64_t)(*cspan_at(&grid, row, 105));
 scale = *cspan_at(&square, 3, derivative);
 slope = 0.0;
 bend = 0.0;
-for (group = 0; group < 4; group += 1) {
-exponent = (group == 3 ? (int64_t)(*cspan_at(&path, 0)) : group) - derivative;
+for (group = 0; group < 110 - 107 + 1; group += 1) {
+exponent = group - derivative;
+if (group == 110 - 107) {
+exponent = (int64_t)(*cspan_at(&path, 0)) - derivative;
+}
 part = scale * *cspan_at(&grid, row, 107 + group) * exponent;
 slope = slope + part;
 bend = bend + part * (exponent + 1);
@@ -24223,7 +24226,7 @@ double pull, crossed, first, second, third, fourth, added;
 one = span_row(&grid, row);
 two = span_row(&grid, row + 1);
 three = span_row(&grid, row + 2);
-four = span_row(&grid, row + 3);
+four = span_row(&grid, row + 4 - 1);
 for (j = 1; j < count; j += 1) {
 by = 0 + j;
 pull = *cspan_at(&one, 111) * *cspan_at(&one, by) + *cspan_at(&two, 111) * *cspan_at(&two, by);

@@ -117,7 +117,7 @@ def keeps_at(
         for axis in range(3):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
             value = work[OperationWork.FLAT + order, axis]
-            if order == 4 and limits[axis, 3] == 0.0:
+            if order == 4 and limits[axis, order - 1] == 0.0:
                 # that of steep ramps, which a slower plan has not
                 most = implied_snap(limits[axis, 1], limits[axis, 2])
                 value = min(max(value, -most), most)

@@ -88,7 +88,7 @@ def write_node_shares(
         part = 0.0
         for j in range(int(GridColumn.COMPONENTS), count):
             part = part + grid[i, GridRow.BY + j] * square[Square.PART, j]
-        grid[i, GridRow.PART + 3] = part
+        grid[i, GridRow.CONTROL_PART] = part
         where = link[Link.WHERE, derivative] / path[Path.ROOM]
         grid[i, GridRow.SHARE] = (total + part) * square[Square.SCALE, derivative] + where
 

@@ -28,8 +28,10 @@ def weigh_row(
     derivative = int(grid[row, GridRow.ORDER])
     scale = square[Square.SCALE, derivative]
     slope, bend = 0.0, 0.0
-    for group in range(4):
-        exponent = (int(path[Path.ORDER]) if group == 3 else group) - derivative
+    for group in range(GridRow.CONTROL_PART - GridRow.PART + 1):
+        exponent = group - derivative
+        if group == GridRow.CONTROL_PART - GridRow.PART:
+            exponent = int(path[Path.ORDER]) - derivative
         part = scale * grid[row, GridRow.PART + group] * exponent
         slope = slope + part
         bend = bend + part * (exponent + 1)
@@ -51,7 +53,7 @@ def add_rows(
     Each is passed through once for four rows: the sums cost more to fetch than to make.
     """
     one, two = grid[row, :], grid[row + 1, :]
-    three, four = grid[row + 2, :], grid[row + 3, :]
+    three, four = grid[row + 2, :], grid[row + Cells.AT_ONCE - 1, :]
     for j in range(int(GridColumn.ENDS), count):
         by = GridRow.BY + j
         pull = one[GridRow.PULL] * one[by] + two[GridRow.PULL] * two[by]
@@ -112,8 +114,8 @@ def write_model(
         slope = slope + own_slope
         bend = bend + own_bend
         curvature = curvature + own_curvature
-    for i in range(Cells.ROWS // 4):
-        add_rows(4 * i, count, link, grid, square)
+    for i in range(Cells.ROWS // Cells.AT_ONCE):
+        add_rows(Cells.AT_ONCE * i, count, link, grid, square)
     give_units(count, link, square)
     link[Link.GRADIENT, GridColumn.TIME] = slope
     for j in range(int(GridColumn.ENDS), GridColumn.COMPONENTS):

@@ -5,11 +5,15 @@ from segfmu.kernels.records import Codes, Record, field
 
 
 class Cells(Codes):
-    """Between two waypoints: cells of constant control, nodes within, and rows of a grid."""
+    """Between two waypoints: cells of constant control, nodes within, and rows of a grid.
+
+    AT_ONCE: rows that are added to a model at once.
+    """
 
     COUNT = 12
     INNER = 11
     ROWS = 56
+    AT_ONCE = 4
 
 
 class Path(Record):
@@ -116,7 +120,8 @@ class GridRow(Record):
     PRODUCT = field("of two of these, see Pair", size=Pair.SIZE)
     ORDER = field("of the derivative")
     SHARE = field("its value over its limit")
-    PART = field("of the value by the distance, velocities, accelerations and the control", size=4)
+    PART = field("of the value by the distance, the velocities and the accelerations", size=3)
+    CONTROL_PART = field("of the value by the control")
     PULL = field("slope of the barrier by the value")
     CURVE = field("its curvature")
     CROSSED = field("its curvature by the value and the logarithm of the duration")
