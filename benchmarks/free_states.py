@@ -30,11 +30,14 @@ WAYS: dict[str, Callable[[Mission], Trajectory]] = {
 
 
 def measure(settings: Settings) -> Part:
-    """Both tables."""
+    """All tables."""
     quick = settings.samples < 500
     return Part(
         "Free states",
-        (_over_ipopt(20 if quick else 100), _refusals(50 if quick else MANY)),
+        (
+            _over_ipopt(20 if quick else 100), _over_free_jerk(20 if quick else 100),
+            _refusals(50 if quick else MANY),
+        ),
         ("ipopt bounds velocity, acceleration and jerk at the nodes of 20 cells an interval only, "
          "and positions not at all",),
     )
@@ -54,6 +57,35 @@ def _over_ipopt(count: int) -> Section:
             "largest": float(ratios.max()),
         })
     return Section(f"{count} missions of 4 to 8 waypoints, 3 axes, n = 4", records)
+
+
+def _over_free_jerk(count: int) -> Section:
+    """Dense missions, whose ramps of the acceleration are longer than their intervals, and arcs.
+
+    `plan` has zero jerk at the waypoints, and so has the best of these.
+    """
+    sizes = range(COMPARED[0], COMPARED[1] + 1)
+    free = {p: MissionProgram(p, free_jerk=True) for p in sizes}
+    zero = {p: MissionProgram(p) for p in sizes}
+    found: dict[str, list[tuple[float, float]]] = {"arc": [], "dense": []}
+    for mission in missions(count, COMPARED, SEEDS[0]):
+        if mission.kind in found:
+            points = len(mission.positions)
+            best = free[points].solve(mission)
+            ratios = WAYS["both free"](mission).duration / best, zero[points].solve(mission) / best
+            if np.all(np.isfinite(ratios)):
+                found[mission.kind].append(ratios)
+    records: list[Record] = []
+    for kind, pairs in found.items():
+        for name, values in zip(
+            ("plan", "ipopt, zero jerk"), np.array(pairs).reshape(-1, 2).T, strict=True
+        ):
+            records.append({
+                "total time over ipopt with free jerk": f"{kind}: {name}",
+                "missions": values.size, "median": float(np.median(values)),
+                "90 %": float(np.quantile(values, 0.9)), "largest": float(values.max()),
+            })
+    return Section(f"arcs and dense ones of {count} missions of 4 to 8 waypoints", records)
 
 
 def _refusals(count: int) -> Section:

@@ -1,9 +1,10 @@
 """The shortest total time of a mission with free states by casadi with ipopt.
 
 One nonlinear program for the whole mission: the chain position .. jerk of every axis with constant
-snap in each cell of an interval, zero jerk at the waypoints, one duration an interval. Limits of
-velocity, acceleration and jerk hold at the nodes. ipopt finds a local optimum; from rest in all
-waypoints and from motion along the chords it found the same one in all missions so far.
+snap in each cell of an interval, zero jerk at the waypoints or a free one, one duration an
+interval. Limits of velocity, acceleration and jerk hold at the nodes. ipopt finds a local optimum;
+from rest in all waypoints and from motion along the chords it found the same one in all missions
+with zero jerk so far.
 """
 
 from __future__ import annotations
@@ -22,12 +23,16 @@ CELLS = 20
 
 
 class MissionProgram:
-    """The program for missions of one number of points: built once."""
+    """The program for missions of one number of points: built once.
 
-    def __init__(self, points: int) -> None:
+    free_jerk: the jerk is continuous in inner waypoints, else zero there.
+    """
+
+    def __init__(self, points: int, *, free_jerk: bool = False) -> None:
         import casadi as ca
 
         self.points = points
+        self.free_jerk = free_jerk
         times = ca.SX.sym("times", points - 1)
         states: list[Any] = []
         snaps: list[Any] = []
@@ -38,7 +43,8 @@ class MissionProgram:
                 snaps.append(ca.SX.sym("u", CELLS))
                 gaps += _gaps(states[-1], snaps[-1], times[i] / CELLS)
         for before, after in zip(states, states[AXES:], strict=False):
-            gaps += [before[r, CELLS] - after[r, 0] for r in (1, 2)]
+            continuous = range(1, ORDER if free_jerk else ORDER - 1)
+            gaps += [before[r, CELLS] - after[r, 0] for r in continuous]
         program: Any = {
             "x": ca.vertcat(times, *[ca.vec(x) for x in states], *snaps),
             "f": ca.sum1(times), "g": ca.vertcat(*gaps),
@@ -67,8 +73,9 @@ class MissionProgram:
             guess[..., 1] = (chords / slow[:, None])[:, :, None]
         for box in (lower, upper):
             box[:, :, 0, 0], box[:, :, -1, 0] = positions[:-1], positions[1:]
-            box[:, :, [0, -1], 3] = 0.0
-            box[0, :, 0, 1:3] = box[-1, :, -1, 1:3] = 0.0
+            if not self.free_jerk:
+                box[:, :, [0, -1], 3] = 0.0
+            box[0, :, 0, 1:] = box[-1, :, -1, 1:] = 0.0
         snaps = np.broadcast_to(limits[:, 3, None], (intervals, AXES, CELLS)).ravel()
         found = self._solver(
             x0=np.concatenate([slow, guess.ravel(), 0.0 * snaps]),

@@ -839,14 +839,14 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
+static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool is_turning(double lowest, double highest);
 static bool turns_back(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -19528,6 +19528,42 @@ a = b;
 }
 return count;
 }
+static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work) {
+array_double_2d trial;
+int64_t count, row;
+double duration, stop;
+bool result;
+trial = span_rows(&work, 0, 21);
+cruise_form(&count, &row, &duration, &stop, trial, 0.0, problem, axis);
+result = (count >= 0) && (stop * stop > stop * *cspan_at(&problem, 4));
+return result;
+}
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work) {
+array_double_1d problem;
+array_double_2d phases;
+bool first, last;
+int64_t count;
+double wait;
+problem = span_row(&work, 59);
+phases = span_rows(&cell, 0, 33);
+first = (*cspan_at(&problem, 0) == 0.0) && (*cspan_at(&problem, 1) == 0.0);
+last = (*cspan_at(&problem, 2) == 0.0) && (*cspan_at(&problem, 3) == 0.0);
+if ((!first) && (!last)) {
+return -1.0;
+}
+if (!has_to_turn(problem, axis, work)) {
+return -1.0;
+}
+count = segfmu_shortest_profile(problem, axis, phases, work);
+wait = *cspan_at(&problem, 5) - total_duration(phases, span_max_int(count, 0));
+if ((count <= 0) || (count >= phases.shape[0]) || (wait < 0.0)) {
+return -1.0;
+}
+count = insert_hold(phases, count, first ? 0 : count, 0.0, wait);
+*cspan_at(&work, 58, 0) = count;
+*cspan_at(&work, 58, 2) = 0.0;
+return 0.0;
+}
 static bool is_turning(double lowest, double highest) {
 return span_min(-lowest, highest) > 1e-12 * span_max(-lowest, highest);
 }
@@ -19666,42 +19702,6 @@ return -1.0;
 weight = nearest_weight(span_row(&work, 59), axis, span_row(&work, 58));
 surround_nearest(0, axis, cell, work);
 return weight;
-}
-static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work) {
-array_double_2d trial;
-int64_t count, row;
-double duration, stop;
-bool result;
-trial = span_rows(&work, 0, 21);
-cruise_form(&count, &row, &duration, &stop, trial, 0.0, problem, axis);
-result = (count >= 0) && (stop * stop > stop * *cspan_at(&problem, 4));
-return result;
-}
-static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work) {
-array_double_1d problem;
-array_double_2d phases;
-bool first, last;
-int64_t count;
-double wait;
-problem = span_row(&work, 59);
-phases = span_rows(&cell, 0, 33);
-first = (*cspan_at(&problem, 0) == 0.0) && (*cspan_at(&problem, 1) == 0.0);
-last = (*cspan_at(&problem, 2) == 0.0) && (*cspan_at(&problem, 3) == 0.0);
-if ((!first) && (!last)) {
-return -1.0;
-}
-if (!has_to_turn(problem, axis, work)) {
-return -1.0;
-}
-count = segfmu_shortest_profile(problem, axis, phases, work);
-wait = *cspan_at(&problem, 5) - total_duration(phases, span_max_int(count, 0));
-if ((count <= 0) || (count >= phases.shape[0]) || (wait < 0.0)) {
-return -1.0;
-}
-count = insert_hold(phases, count, first ? 0 : count, 0.0, wait);
-*cspan_at(&work, 58, 0) = count;
-*cspan_at(&work, 58, 2) = 0.0;
-return 0.0;
 }
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, rest;

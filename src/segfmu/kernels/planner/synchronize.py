@@ -21,7 +21,6 @@ durations can have gaps (errata E10). Outside the gaps the profile is, in this o
 from segfmu.kernels.numerics.numbers import EQUAL
 from segfmu.kernels.planner.arcs import timed_loop
 from segfmu.kernels.planner.braking import braked, surround
-from segfmu.kernels.planner.cruise import cruise_form
 from segfmu.kernels.planner.dipped import timed_dipped
 from segfmu.kernels.planner.enclose import (
     clear_nearest,
@@ -38,10 +37,8 @@ from segfmu.kernels.planner.passing import slower_form
 from segfmu.kernels.planner.phases import (
     boundary_problem,
     fit_duration,
-    insert_hold,
     measure_phases,
     stretch_phases,
-    total_duration,
 )
 from segfmu.kernels.planner.profile import plain_profile, shortest_profile
 from segfmu.kernels.planner.records import (
@@ -58,6 +55,7 @@ from segfmu.kernels.planner.records import (
 )
 from segfmu.kernels.planner.sides import is_beyond
 from segfmu.kernels.planner.timed_cruise import is_enclosed
+from segfmu.kernels.planner.waiting import timed_waiting
 
 # stretches of a cruise from the whole one on: each has this power of the one before, up to nearly
 # none
@@ -238,35 +236,6 @@ def timed_smoothly(
     weight = nearest_weight(work[PlanWork.PROBLEM, :], axis, work[PlanWork.NEAREST, :])
     surround_nearest(0, axis, cell, work)
     return weight
-
-
-def has_to_turn(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
-    """Whether a motion that begins or ends at rest has to turn back, as it goes too far to stop."""
-    trial = work[PlanWork.TRIAL:PlanWork.BEST, :]
-    count, row, duration, stop = cruise_form(trial, 0.0, problem, axis)
-    return count >= 0 and stop * stop > stop * problem[Problem.DISTANCE]
-
-
-def timed_waiting(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
-    """`timed_profile` where one state is at rest: the shortest profile, and a wait there.
-
-    -1: both states move, the motion goes straight on, or that profile is not found again.
-    """
-    problem, phases = work[PlanWork.PROBLEM, :], cell[Cell.BELOW:Cell.ABOVE, :]
-    first = problem[Problem.V] == 0.0 and problem[Problem.A] == 0.0
-    last = problem[Problem.W] == 0.0 and problem[Problem.B] == 0.0
-    if not first and not last:
-        return -1.0
-    if not has_to_turn(problem, axis, work):
-        return -1.0
-    count = shortest_profile(problem, axis, phases, work)
-    wait = problem[Problem.DURATION] - total_duration(phases, max(count, 0))
-    if count <= 0 or count >= phases.shape[0] or wait < 0.0:
-        return -1.0
-    count = insert_hold(phases, count, 0 if first else count, 0.0, wait)
-    work[PlanWork.NEAREST, Nearest.BELOW_COUNT] = count
-    work[PlanWork.NEAREST, Nearest.ABOVE_COUNT] = 0.0
-    return 0.0
 
 
 def timed_braked(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> float:
