@@ -855,6 +855,7 @@ static double timed_forwards(array_double_1d axis, array_double_2d cell, array_d
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double gap_end(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
@@ -19903,6 +19904,29 @@ return 0;
 *cspan_at(&cell, 67, 4) = *cspan_at(&work, 58, 2);
 return 1;
 }
+static double gap_end(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+double after, delay, duration;
+int64_t sweep, count, i;
+after = start;
+delay = *cspan_at(&cell, 68, 2);
+for (sweep = 0; sweep < 8; sweep += 1) {
+count = gap_ends(after - delay, span_row(&cell, 66), axis, work);
+for (i = 0; i < count; i += 1) {
+duration = delay + *cspan_at(&work, 42 + i, 0) * (1.0 + 1e-10);
+if (duration >= most) {
+return most;
+}
+if (set_duration(duration, cell, axis, work)) {
+return duration;
+}
+after = duration;
+}
+if (count < 58 - 42) {
+break;
+}
+}
+return most;
+}
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work) {
 double duration;
 int64_t i;
@@ -19922,38 +19946,21 @@ duration = 0.5 * (outside + inside);
 return inside;
 }
 static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work) {
-double after, delay, growth, duration;
-int64_t sweep, count, i;
+double end, after, growth, duration;
+int64_t i;
+end = gap_end(start, most, cell, axis, work);
 after = start;
-delay = *cspan_at(&cell, 68, 2);
-for (sweep = 0; sweep < 8; sweep += 1) {
-count = gap_ends(after - delay, span_row(&cell, 66), axis, work);
-for (i = 0; i < count; i += 1) {
-duration = delay + *cspan_at(&work, 42 + i, 0) * (1.0 + 1e-10);
-duration = span_min(duration, most);
-if (set_duration(duration, cell, axis, work)) {
-if ((*cspan_at(&axis, 14) == 0.0) || (!ramps_suffice(axis))) {
-duration = first_feasible(after, duration, cell, axis, work);
-}
-return duration;
-}
-if (duration >= most) {
-return -1.0;
-}
-after = duration;
-}
-if (count < 58 - 42) {
-break;
-}
-}
 growth = 1.005;
 for (i = 0; i < 100; i += 1) {
-duration = span_min(after * growth, most);
+duration = span_min(after * growth, end);
 if (set_duration(duration, cell, axis, work)) {
+if ((duration == end) && (*cspan_at(&axis, 14) != 0.0) && ramps_suffice(axis)) {
+return duration;
+}
 duration = first_feasible(after, duration, cell, axis, work);
 return duration;
 }
-if (duration >= most) {
+if (duration >= end) {
 return -1.0;
 }
 after = duration;

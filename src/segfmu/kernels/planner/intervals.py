@@ -15,8 +15,8 @@ from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
 from segfmu.kernels.planner.synchronize import timed_profile
 
-# how a duration grows at first that is looked for behind the last end of a gap, and how the growth
-# itself does: windows get longer
+# how a duration grows at first that is looked for in a gap, and how the growth itself does: windows
+# get longer
 GROWTH = 1.005
 # meetings of axes until there is no common duration
 SWEEPS = 100000
@@ -76,6 +76,26 @@ def set_duration(target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'flo
     return True
 
 
+def gap_end(
+    start: float, most: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> float:
+    """The first feasible duration of those at which gaps can end, up to `most` [s]; or `most`."""
+    after = start
+    delay = cell[Cell.PLACE, Place.DELAY]
+    for sweep in range(8):
+        count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
+        for i in range(count):
+            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + GAINED)
+            if duration >= most:
+                return most
+            if set_duration(duration, cell, axis, work):
+                return duration
+            after = duration
+        if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
+            break
+    return most
+
+
 def next_feasible(
     start: float, most: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
@@ -83,32 +103,20 @@ def next_feasible(
 
     most: the longest duration that is looked for [s].
 
-    The durations at which gaps can end are tried in turn. The end is searched for if none of them
-    is feasible or, with smoothsteps, whose families have more kinks, and limits above the snap,
-    if a slightly shorter duration is feasible too.
+    The durations at which gaps can end are tried in turn, and then longer and longer ones up to the
+    first of them that is feasible: there are windows that begin at none of them. With smoothsteps,
+    whose families have more kinks, and limits above the snap slightly shorter ones are tried, too.
     """
+    end = gap_end(start, most, cell, axis, work)
     after = start
-    delay = cell[Cell.PLACE, Place.DELAY]
-    for sweep in range(8):
-        count = gap_ends(after - delay, cell[Cell.PROBLEM, :], axis, work)
-        for i in range(count):
-            duration = delay + work[PlanWork.GAP_ENDS + i, 0] * (1.0 + GAINED)
-            duration = min(duration, most)
-            if set_duration(duration, cell, axis, work):
-                if axis[Axis.PLATEAU] == 0.0 or not ramps_suffice(axis):
-                    duration = first_feasible(after, duration, cell, axis, work)
-                return duration
-            if duration >= most:
-                return -1.0
-            after = duration
-        if count < PlanWork.NEAREST - PlanWork.GAP_ENDS:
-            break
     growth = GROWTH
     for i in range(HALVINGS):
-        duration = min(after * growth, most)
+        duration = min(after * growth, end)
         if set_duration(duration, cell, axis, work):
+            if duration == end and axis[Axis.PLATEAU] != 0.0 and ramps_suffice(axis):
+                return duration
             return first_feasible(after, duration, cell, axis, work)
-        if duration >= most:
+        if duration >= end:
             return -1.0
         after = duration
         growth = GROWTH * growth
