@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import linprog
 
-from segfmu import Limits, Trajectory, Waypoint, plan
+from segfmu import Limits, Trajectory, Waypoint, plan, verify
 from segfmu.kernels.planner.gaps import gap_ends, insert_end
 from segfmu.kernels.planner.records import PlanWork
 from tests.problems import AxisProblem, work_space
@@ -152,3 +152,22 @@ def test_a_gap_ends_where_the_duration_over_the_cruise_velocity_turns(
 @pytest.mark.parametrize(("problem", "inside"), PASSED)
 def test_passing_profiles_fill_gaps_of_the_other_forms(problem: AxisProblem, inside: float) -> None:
     assert with_partner(problem, inside).duration == pytest.approx(inside, rel=1e-9)
+
+
+def test_a_window_that_begins_at_no_end_of_a_gap_is_found() -> None:
+    """Of a dense path with free states: the first end of the gap was at 0.949 s."""
+    first = Waypoint(
+        [0.0, 0.0], [0.2627752684438861, 0.0094610459283731],
+        [-0.7740572736838166, -0.2859177989379755],
+    )
+    second = Waypoint(
+        [0.05280347277962499, -0.00109711511937649], [0.12148363617898043, 0.02995727407165822],
+        [-0.06723673746364064, 0.4188018367784865],
+    )
+    limits = Limits(
+        [1.3286968592499435, 1.0635319141712856], [0.9901504241139066, 0.7925484045095353],
+        [5.405615951491496, 4.326829735572606], [38.30734854767022, 30.66244000210017],
+    )
+    trajectory = plan([first, second], limits)
+    assert verify(trajectory).passed
+    assert trajectory.duration < 0.315
