@@ -19953,6 +19953,9 @@ after = start;
 growth = 1.005;
 for (i = 0; i < 100; i += 1) {
 duration = span_min(after * growth, end);
+if ((i == span_floor_div(12, 4)) && (end < most)) {
+duration = end;
+}
 if (set_duration(duration, cell, axis, work)) {
 if ((duration == end) && (*cspan_at(&axis, 14) != 0.0) && ramps_suffice(axis)) {
 return duration;

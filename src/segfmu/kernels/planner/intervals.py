@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
+from segfmu.kernels.numerics.numbers import COARSE, GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import append_hold, is_resting, stretch_phases, total_duration
@@ -103,7 +103,7 @@ def next_feasible(
 
     most: the longest duration that is looked for [s].
 
-    The durations at which gaps can end are tried in turn, and then longer and longer ones up to the
+    The durations at which gaps can end are tried in turn, and then some that are shorter than the
     first of them that is feasible: there are windows that begin at none of them. With smoothsteps,
     whose families have more kinks, and limits above the snap slightly shorter ones are tried, too.
     """
@@ -112,6 +112,9 @@ def next_feasible(
     growth = GROWTH
     for i in range(HALVINGS):
         duration = min(after * growth, end)
+        # windows before a known end are near the begin of the gap
+        if i == COARSE // 4 and end < most:
+            duration = end
         if set_duration(duration, cell, axis, work):
             if duration == end and axis[Axis.PLATEAU] != 0.0 and ramps_suffice(axis):
                 return duration
