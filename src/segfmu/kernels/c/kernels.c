@@ -672,6 +672,7 @@ static int64_t shortest_way(int64_t* result_0, double* result_1_0001, int64_t wa
 static int64_t passing_form(double shortest, double longest, int64_t count, array_double_2d ramps, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool pace_down(int64_t moving, double shortest, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t timed_passing(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t slowed_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double usual_duration(array_double_1d problem, array_double_1d axis);
 static int64_t fastest_between(array_double_2d phases, array_double_1d problem, array_double_1d axis);
@@ -691,6 +692,11 @@ static int64_t shorter_dipped(int64_t count, array_double_2d phases, array_doubl
 static void surround_with_dips(int64_t column, double depth, array_double_2d phases, array_double_1d axis, array_double_2d work);
 static double timed_between_dips(array_double_1d rest, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_dipped(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool is_search(int64_t place, double plain, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void copy_search(int64_t source, int64_t target, array_double_2d work);
+static void use_search(int64_t place, array_double_2d work);
+static void keep_search(double plain, bool passing, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t search_again(double plain, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double sign_of(double value);
 static bool may_touch(double v, double a, array_double_1d axis);
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work);
@@ -848,7 +854,7 @@ static bool timed_slower(bool turning, double shortest, array_double_1d axis, ar
 static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t slowed_shortest(double plain, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work);
@@ -16125,11 +16131,9 @@ return result;
 }
 return 0;
 }
-static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+static int64_t slowed_sequence(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 bool backwards;
-if (!is_passing(phases, count, axis)) {
-return 0;
-}
+int64_t count;
 backwards = *cspan_at(&work, 101, 7) != 0.0;
 if (backwards) {
 reverse_search(problem, axis);
@@ -16140,6 +16144,14 @@ reverse_search(problem, axis);
 reverse_phases(phases, 0, count);
 }
 return count;
+}
+static int64_t slower_form(int64_t count, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+int64_t result;
+if (!is_passing(phases, count, axis)) {
+return 0;
+}
+result = slowed_sequence(phases, problem, axis, work);
+return result;
 }
 static double usual_duration(array_double_1d problem, array_double_1d axis) {
 double top, distance, cruise, result;
@@ -16521,6 +16533,87 @@ return weight;
 }
 }
 return -1.0;
+}
+static bool is_search(int64_t place, double plain, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+array_double_1d search, searched;
+int64_t i;
+search = span_row(&work, 240 + place);
+searched = span_row(&work, 248 + place);
+if ((*cspan_at(&search, 6) == 0.0) || (*cspan_at(&search, 5) != plain)) {
+return 0;
+}
+for (i = 0; i < 5; i += 1) {
+if (*cspan_at(&search, 0 + i) != *cspan_at(&problem, i)) {
+return 0;
+}
+}
+for (i = 0; i < 50; i += 1) {
+if (*cspan_at(&searched, i) != *cspan_at(&axis, i)) {
+return 0;
+}
+}
+return 1;
+}
+static void copy_search(int64_t source, int64_t target, array_double_2d work) {
+int64_t j, i;
+for (j = 0; j < (int64_t)(*cspan_at(&work, source, 0)) + 3; j += 1) {
+for (i = 0; i < work.shape[1]; i += 1) {
+*cspan_at(&work, target + j, i) = *cspan_at(&work, source + j, i);
+}
+}
+}
+static void use_search(int64_t place, array_double_2d work) {
+double turn;
+int64_t i;
+turn = 0.0;
+for (i = 0; i < 248 - 240; i += 1) {
+turn = span_max(turn, *cspan_at(&work, 240 + i, 6));
+}
+*cspan_at(&work, 240 + place, 6) = turn + 1.0;
+}
+static void keep_search(double plain, bool passing, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+int64_t place, i, row, rows;
+place = 0;
+for (i = 0; i < 248 - 240; i += 1) {
+if (*cspan_at(&work, 240 + i, 6) < *cspan_at(&work, 240 + place, 6)) {
+place = i;
+}
+}
+row = 240 + place;
+for (i = 0; i < 5; i += 1) {
+*cspan_at(&work, row, 0 + i) = *cspan_at(&problem, i);
+}
+for (i = 0; i < 50; i += 1) {
+*cspan_at(&work, 248 + place, i) = *cspan_at(&axis, i);
+}
+*cspan_at(&work, row, 5) = plain;
+*cspan_at(&work, row, 7) = *cspan_at(&work, 101, 7);
+*cspan_at(&work, row, 8) = passing;
+if (passing) {
+rows = 158 - 139;
+copy_search(139, 256 + place * rows, work);
+}
+use_search(place, work);
+}
+static int64_t search_again(double plain, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+int64_t mirrored, turned, place, rows, again;
+array_double_1d search;
+orient(&mirrored, &turned, problem, axis);
+again = -1;
+for (place = 0; place < 248 - 240; place += 1) {
+if ((again < 0) && is_search(place, plain, problem, axis, work)) {
+search = span_row(&work, 240 + place);
+again = (int64_t)(*cspan_at(&search, 8));
+*cspan_at(&work, 101, 7) = fabs(turned - *cspan_at(&search, 7));
+if (again > 0) {
+rows = 158 - 139;
+copy_search(256 + place * rows, 139, work);
+}
+use_search(place, work);
+}
+}
+turn_back(mirrored, turned, problem, axis);
+return again;
 }
 static double sign_of(double value) {
 return value < 0.0 ? -1.0 : 1.0;
@@ -16920,10 +17013,15 @@ return count;
 }
 static int64_t begun_profile(array_double_1d axis, array_double_2d phases, array_double_2d work) {
 array_double_1d asked;
+double plain;
 int64_t mirrored, turned, count, result;
 asked = span_row(&work, 59);
+plain = *cspan_at(&work, 101, 11);
 orient(&mirrored, &turned, asked, axis);
 count = oriented_profile(axis, phases, work);
+if (*cspan_at(&axis, 38) != 0.0) {
+keep_search(plain, is_passing(phases, count, axis), asked, axis, work);
+}
 result = as_asked(mirrored, turned, count, phases, asked, axis, span_row(&work, 101));
 return result;
 }
@@ -17086,7 +17184,7 @@ return result;
 }
 problem = span_row(&lead, 25);
 set_stage_problem(order, end, state, problem);
-result = shortest_ramps(problem, chain, phases, span_rows(&lead, 68, 308));
+result = shortest_ramps(problem, chain, phases, span_rows(&lead, 68, 476));
 return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
@@ -17100,7 +17198,7 @@ chain = span_row(&lead, 61 + seen);
 if ((count < 0) || (row + segfmu_ramp_pieces(chain) * count > 2 * 400)) {
 return -1;
 }
-expansion = span_rows(&lead, 308, 312);
+expansion = span_rows(&lead, 476, 480);
 now = span_row(&expansion, 1);
 *cspan_at(&now, 0) = *cspan_at(&state, seen);
 *cspan_at(&now, 1) = *cspan_at(&state, seen + 1);
@@ -17232,7 +17330,7 @@ static int64_t part_hull(int64_t order, int64_t row, double start, double length
 array_double_2d check;
 int64_t width;
 array_double_1d values;
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 width = coefficients.shape[1];
 while((width > order + 1) && (*cspan_at(&coefficients, row, width - 1) == 0.0)) {
 width = width - 1;
@@ -17248,7 +17346,7 @@ return width - order;
 static bool is_hull_inside(int64_t count, double low, double high, array_double_2d lead) {
 array_double_2d check;
 int64_t i;
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 for (i = 0; i < count; i += 1) {
 if (!((low <= *cspan_at(&check, 0, i)) && (*cspan_at(&check, 0, i) <= high))) {
 return 0;
@@ -17260,7 +17358,7 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
 array_double_2d check;
 double low, high, slack;
 int64_t row, count;
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 low = *cspan_at(&lead, 12, order);
 high = *cspan_at(&lead, 13, order);
 slack = 1e-10 * (high - low);
@@ -17459,7 +17557,7 @@ array_double_2d check;
 array_double_1d report;
 int64_t width, parts, order, part, count, i;
 double step, value;
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 report = span_row(&lead, 14);
 width = coefficients.shape[1];
 parts = 8;
@@ -18036,7 +18134,7 @@ seen = 2 - order;
 chain = span_row(&lead, 61 + seen);
 problem = span_row(&lead, 25);
 phases = span_rows(&lead, 26, 59);
-plan = span_rows(&lead, 68, 308);
+plan = span_rows(&lead, 68, 476);
 ramps = span_rows(&plan, 0, 21);
 passing = span_row(&plan, 101);
 end = lead_end(order, lead);
@@ -18136,10 +18234,10 @@ return -1.0;
 *cspan_at(&problem, 4) = *cspan_at(&target, 4) - *cspan_at(&state, 0);
 count = -1;
 if (ramps) {
-count = shortest_ramps(problem, axis, phases, span_rows(&lead, 68, 308));
+count = shortest_ramps(problem, axis, phases, span_rows(&lead, 68, 476));
 }
 else {
-count = plain_profile(problem, axis, phases, span_rows(&lead, 68, 308));
+count = plain_profile(problem, axis, phases, span_rows(&lead, 68, 476));
 }
 if (count < 0) {
 return -1.0;
@@ -18202,7 +18300,7 @@ first = 400;
 if (!is_better(time, lead)) {
 return 0;
 }
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 lower = span_row(&lead, 60);
 if (last > first) {
 if (!begins_now(lead, coefficients)) {
@@ -18995,7 +19093,7 @@ step = *cspan_at(&timing, 2, row, 1) / 8;
 for (part = 0; part < 8; part += 1) {
 count = part_hull(1, row, part * step, step, lead, span_matrix(&coefficients, 2));
 for (i = 0; i < count; i += 1) {
-velocity = *cspan_at(&lead, 312 + 0, i);
+velocity = *cspan_at(&lead, 480 + 0, i);
 if (velocity * direction < (-1e-06) * direction * direction) {
 return 1;
 }
@@ -19735,9 +19833,22 @@ return weight;
 }
 return -1.0;
 }
-static int64_t slowed_shortest(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
-int64_t count, result;
+static int64_t slowed_shortest(double plain, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+int64_t again, count, result;
+again = search_again(plain, problem, axis, work);
+if (again > 0) {
+result = slowed_sequence(phases, problem, axis, work);
+return result;
+}
+if (again == 0) {
+return 0;
+}
+if (plain != 0.0) {
+count = plain_profile(problem, axis, phases, work);
+}
+else {
 count = segfmu_shortest_profile(problem, axis, phases, work);
+}
 result = slower_form(count, phases, problem, axis, work);
 return result;
 }
@@ -19752,16 +19863,15 @@ problem = span_row(&work, 59);
 phases = span_rows(&cell, 0, 33);
 count = 0;
 if (*cspan_at(&cell, 67, 6) != 0.0) {
-count = slowed_shortest(phases, problem, axis, work);
+count = slowed_shortest(0.0, phases, problem, axis, work);
 if ((count == 0) && (*cspan_at(&axis, 12) == 2)) {
 *cspan_at(&axis, 12) = 0;
-count = slowed_shortest(phases, problem, axis, work);
+count = slowed_shortest(0.0, phases, problem, axis, work);
 *cspan_at(&axis, 12) = 2;
 }
 }
 if ((count == 0) && (!ramps_suffice(axis))) {
-count = plain_profile(problem, axis, phases, work);
-count = slower_form(count, phases, problem, axis, work);
+count = slowed_shortest(1.0, phases, problem, axis, work);
 }
 if (count == 0) {
 return -1.0;
@@ -20599,7 +20709,7 @@ end = 4 * (count + 1);
 if (*cspan_at(&offsets, leads + count) + segfmu_count_pieces(axes, cells) > timing.shape[1]) {
 return 0;
 }
-expand_plan(states, dwells, axes, cells, span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), times, span_rows(&lead, 308, 312));
+expand_plan(states, dwells, axes, cells, span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), times, span_rows(&lead, 476, 480));
 segfmu_join_plans(span_matrix(&timing, 1), span_matrix(&coefficients, 1), span_part(&offsets, leads, behind), span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), span_matrix(&timing, 3), span_matrix(&coefficients, 3), span_part(&offsets, whole, end));
 return 1;
 }
@@ -20607,7 +20717,7 @@ bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_do
 array_double_2d check;
 double tolerance, joints;
 int64_t axis, wrong, i;
-check = span_rows(&lead, 312, 360);
+check = span_rows(&lead, 480, 528);
 tolerance = *cspan_at(&lead, 2, 0);
 joints = *cspan_at(&lead, 2, 1);
 for (axis = 0; axis < limits.shape[0]; axis += 1) {
@@ -20679,7 +20789,7 @@ status = (int64_t)(-3);
 }
 if ((status == 0) && (done != 2)) {
 set_delayed(states);
-status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, 1), span_rows(&axes, 0, count), cells, span_rows(&lead, 68, 308));
+status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, 1), span_rows(&axes, 0, count), cells, span_rows(&lead, 68, 476));
 }
 if (status == 0) {
 status = finish_plan(states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, lead);
@@ -20778,7 +20888,7 @@ int64_t status, first, last;
 bool result;
 dwells = span_row(&work, 84);
 axes = span_rows(&work, 85, 88);
-status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, 1), axes, cells, span_rows(&lead, 68, 308));
+status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, 1), axes, cells, span_rows(&lead, 68, 476));
 if (status < 0) {
 return 0;
 }
@@ -21882,7 +21992,7 @@ for (j = 1; j < states.shape[0] + 1; j += 1) {
 *cspan_at(&times, j, axis) = plan_end(4, axis, timing, offsets);
 }
 }
-result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 312, 360)) == 0;
+result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 480, 528)) == 0;
 return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
@@ -23662,7 +23772,7 @@ return -promised;
 static bool set_axes(array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_2d work) {
 array_double_2d planner;
 int64_t smoothness, shape, axis;
-planner = span_rows(&work, 2, 242);
+planner = span_rows(&work, 2, 410);
 smoothness = (int64_t)(*cspan_at(&work, 0, 0));
 shape = (int64_t)(*cspan_at(&work, 0, 1));
 for (axis = 0; axis < axes.shape[0]; axis += 1) {
@@ -23679,7 +23789,7 @@ array_double_2d cell, planner;
 int64_t status;
 double duration;
 cell = span_matrix(&cells, place * axes.shape[0] + axis);
-planner = span_rows(&work, 2, 242);
+planner = span_rows(&work, 2, 410);
 set_shortest(&status, &duration, cell, span_row(&axes, axis), planner);
 if (status < 0) {
 return 0;
@@ -23711,14 +23821,14 @@ int64_t first;
 array_double_2d planner;
 double found;
 first = place * axes.shape[0];
-planner = span_rows(&work, 2, 242);
+planner = span_rows(&work, 2, 410);
 found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner);
 return found < 0.0 ? 1e+300 : found;
 }
 static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 array_double_2d planner, cell;
 int64_t axis;
-planner = span_rows(&work, 2, 242);
+planner = span_rows(&work, 2, 410);
 for (axis = 0; axis < axes.shape[0]; axis += 1) {
 cell = span_matrix(&cells, place * axes.shape[0] + axis);
 if (!set_duration(duration, cell, span_row(&axes, axis), planner)) {
@@ -23747,9 +23857,9 @@ int64_t count, row;
 double length, known;
 *cspan_at(&cell, 68, 0) = first;
 *cspan_at(&cell, 68, 1) = 0.0;
-expansion = span_rows(&work, 242, 246);
+expansion = span_rows(&work, 410, 414);
 count = expand_cell(cell, axis, timing, coefficients, 0, expansion);
-hulls = span_rows(&work, 2, 242);
+hulls = span_rows(&work, 2, 410);
 known = 0.0;
 for (row = 0; row < count; row += 1) {
 write_room(side, row, 0.0, low, high, coefficients, hulls);
@@ -27024,9 +27134,9 @@ int64_t wrong;
 if (segfmu_count_pieces(axes, cells) > timing.shape[0]) {
 return 1;
 }
-expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, 242, 246));
+expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, 410, 414));
 judging = span_row(&work, 1);
-wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, *cspan_at(&judging, 0), *cspan_at(&judging, 1), span_rows(&work, 246, 294));
+wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, *cspan_at(&judging, 0), *cspan_at(&judging, 1), span_rows(&work, 414, 462));
 if (wrong > 0) {
 return -12;
 }
@@ -27035,7 +27145,7 @@ return 0;
 int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work) {
 array_double_2d planner;
 int64_t status;
-planner = span_rows(&work, 2, 242);
+planner = span_rows(&work, 2, 410);
 status = segfmu_check_problem(states, limits, span_row(&planner, 99));
 if (status == 0) {
 status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, 0), axes, cells, planner);

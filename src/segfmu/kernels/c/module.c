@@ -3245,7 +3245,7 @@ static PyObject *call_shortest_profile(
   && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
   && has_at_least(&call, "phases", 0, in_phases->shape[0], 33)
   && has_at_least(&call, "phases", 1, in_phases->shape[1], 5)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 240)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 408)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
   answer = PyLong_FromLongLong(segfmu_shortest_profile(
    (array_double_1d){in_problem->buf, {in_problem->shape[0]}},
@@ -3275,7 +3275,7 @@ static PyObject *call_find_brake(
   && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
   && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3394,7 +3394,7 @@ static PyObject *call_find_leads(
   && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
   && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3447,7 +3447,7 @@ static PyObject *call_find_brakes(
   && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
   && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
   && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3482,7 +3482,7 @@ static PyObject *call_timed_profile(
   && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
   && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
   && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 240)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 408)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)) {
   answer = PyFloat_FromDouble(segfmu_timed_profile(
    in_target,
@@ -3529,7 +3529,7 @@ static PyObject *call_plan_phases(
   && has_at_least(&call, "cells", 0, in_cells->shape[0], ((in_states->shape[0] - 1) * in_states->shape[1]))
   && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
   && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 240)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 408)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_options->buf)[0] + 1))) {
   answer = PyLong_FromLongLong(segfmu_plan_phases(
@@ -3613,7 +3613,7 @@ static PyObject *call_judge_pieces(
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
   && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "spare_timing", 0, in_spare_timing->shape[0], 1200)
   && has_at_least(&call, "spare_timing", 1, in_spare_timing->shape[1], 2)
@@ -3687,7 +3687,7 @@ static PyObject *call_plan_onward(
   && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], ((2 * in_limits->shape[1]) - 2))
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (4 * (in_states->shape[1] + 1)))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_dwells->shape[0] + 1))
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)) {
   answer = PyLong_FromLongLong(segfmu_plan_onward(
    (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -3904,7 +3904,7 @@ static PyObject *call_operate(
   && has_at_least(&call, "cells", 0, in_cells->shape[0], 3)
   && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
   && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 360)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "work", 0, in_work->shape[0], 169)
   && has_at_least(&call, "work", 1, in_work->shape[1], 102)
@@ -4136,7 +4136,7 @@ static PyObject *call_begin_choice(
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
   && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 294)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))) {
   answer = PyBool_FromLong(segfmu_begin_choice(
@@ -4230,7 +4230,7 @@ static PyObject *call_choose_passage(
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1620)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1620)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 294)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
   segfmu_choose_passage(
@@ -5133,7 +5133,7 @@ static PyObject *call_plan_motion(
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-  && has_at_least(&call, "work", 0, in_work->shape[0], 294)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -5200,7 +5200,7 @@ static PyObject *call_expand_motion(
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-  && has_at_least(&call, "work", 0, in_work->shape[0], 294)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {

@@ -253,6 +253,13 @@ def slower_form(
     """
     if not is_passing(phases, count, axis):
         return 0
+    return slowed_sequence(phases, problem, axis, work)
+
+
+def slowed_sequence(
+    phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+) -> int:
+    """`slower_form` of the passing profile that was found."""
     backwards = work[PlanWork.PASSING, Passing.REVERSED] != 0.0
     if backwards:
         reverse_search(problem, axis)

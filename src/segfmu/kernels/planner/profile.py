@@ -22,7 +22,12 @@ from segfmu.kernels.planner.forms import (
 )
 from segfmu.kernels.planner.orientation import as_asked, orient
 from segfmu.kernels.planner.parameters import ramps_suffice, snap_is_last
-from segfmu.kernels.planner.phases import boundary_problem, is_resting, total_duration
+from segfmu.kernels.planner.phases import (
+    boundary_problem,
+    is_passing,
+    is_resting,
+    total_duration,
+)
 from segfmu.kernels.planner.records import (
     Axis,
     Effort,
@@ -34,6 +39,7 @@ from segfmu.kernels.planner.records import (
     Problem,
     Rises,
 )
+from segfmu.kernels.planner.repeats import keep_search
 from segfmu.kernels.planner.sides import slowest_velocity
 from segfmu.kernels.planner.touching import touching_form
 from segfmu.kernels.planner.window import early_window, short_window
@@ -100,9 +106,11 @@ def plain_profile(
 
 def begun_profile(axis: 'float[:]', phases: 'float[:,:]', work: 'float[:,:]') -> int:
     """`shortest_profile` of the problem that is set."""
-    asked = work[PlanWork.PROBLEM, :]
+    asked, plain = work[PlanWork.PROBLEM, :], work[PlanWork.PASSING, Passing.PLAIN]
     mirrored, turned = orient(asked, axis)
     count = oriented_profile(axis, phases, work)
+    if axis[Axis.ABOVE] != 0.0:
+        keep_search(plain, is_passing(phases, count, axis), asked, axis, work)
     return as_asked(mirrored, turned, count, phases, asked, axis, work[PlanWork.PASSING, :])
 
 

@@ -347,6 +347,16 @@ class Passing(Record):
     INSTANT_TO = field("last nodes", size=3)
 
 
+class Repeat(Record):
+    """A search for the shortest profile, which is not made again (repeats.py)."""
+
+    PROBLEM = field("boundary problem in the direction in which it is solved", size=5)
+    PLAIN = field("Passing.PLAIN of the search")
+    USED = field("turn of its last use, from 1; 0: there is none")
+    REVERSED = field("Passing.REVERSED of the profile")
+    PASSING = field("1: the profile passes zero jerk with snap; 0: it does not, or there is none")
+
+
 class Excess(Record):
     """By how much a passing profile exceeds the limit of a derivative the most."""
 
@@ -455,3 +465,6 @@ class PlanWork(Record):
     SLOPES = field("derivatives of the residuals with one unknown", of=Equations)
     BEFORE = field("nodes before the time of one changes", size=3, of=Node)
     CHANGE = field("change of the state after them", of=Node)
+    SEARCHES = field("searches that are kept", size=8, of=Repeat)
+    SEARCHED_AXES = field("their axes", size=8, of=Axis)
+    SEARCHED = field("the sequences of their profiles, as FOUND", size=152, of=Node)

@@ -33,7 +33,7 @@ from segfmu.kernels.planner.extremes import timed_extremes
 from segfmu.kernels.planner.gentle import solve_gentle, write_gentle
 from segfmu.kernels.planner.orientation import orient, reverse_search, turn_back, turn_phases
 from segfmu.kernels.planner.parameters import ramps_suffice
-from segfmu.kernels.planner.passing import slower_form
+from segfmu.kernels.planner.passing import slowed_sequence, slower_form
 from segfmu.kernels.planner.phases import (
     boundary_problem,
     fit_duration,
@@ -53,6 +53,7 @@ from segfmu.kernels.planner.records import (
     Problem,
     Weight,
 )
+from segfmu.kernels.planner.repeats import search_again
 from segfmu.kernels.planner.sides import is_beyond
 from segfmu.kernels.planner.timed_cruise import is_enclosed
 from segfmu.kernels.planner.waiting import timed_waiting
@@ -282,10 +283,21 @@ def between_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -
 
 
 def slowed_shortest(
-    phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
+    plain: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> int:
-    """The shortest profile, slowed down if it passes zero jerk with snap; 0: that fails."""
-    count = shortest_profile(problem, axis, phases, work)
+    """The shortest profile, slowed down if it passes zero jerk with snap; 0: that fails.
+
+    plain: 1.0: the one without the ways that are tried last.
+    """
+    again = search_again(plain, problem, axis, work)
+    if again > 0:
+        return slowed_sequence(phases, problem, axis, work)
+    if again == 0:
+        return 0
+    if plain != 0.0:
+        count = plain_profile(problem, axis, phases, work)
+    else:
+        count = shortest_profile(problem, axis, phases, work)
     return slower_form(count, phases, problem, axis, work)
 
 
@@ -300,15 +312,14 @@ def slower_passing(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
     phases = cell[Cell.BELOW:Cell.ABOVE, :]
     count = 0
     if cell[Cell.RESULT, Interval.PASSING] != 0.0:
-        count = slowed_shortest(phases, problem, axis, work)
+        count = slowed_shortest(0.0, phases, problem, axis, work)
         if count == 0 and axis[Axis.EFFORT] == Effort.THOROUGH:
             # one whose velocity touches its limit may be alone between gaps
             axis[Axis.EFFORT] = Effort.USUAL
-            count = slowed_shortest(phases, problem, axis, work)
+            count = slowed_shortest(0.0, phases, problem, axis, work)
             axis[Axis.EFFORT] = Effort.THOROUGH
     if count == 0 and not ramps_suffice(axis):
-        count = plain_profile(problem, axis, phases, work)
-        count = slower_form(count, phases, problem, axis, work)
+        count = slowed_shortest(1.0, phases, problem, axis, work)
     if count == 0:
         return -1.0
     count = fit_duration(phases, count, problem[Problem.DURATION])
