@@ -132,11 +132,13 @@ from segfmu.kernels.rig.records import (
     StartFault,
 )
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadTask, LeadWork, PlanPart
+from segfmu.kernels.spline.records import Derivatives, Mesh, SplineWork
 from segfmu.kernels.trajectory.records import (
     Brake,
     Expansion,
     Judging,
     MotionWork,
+    PieceState,
     Spare,
     Timing,
 )
@@ -254,6 +256,25 @@ def planner_calls() -> dict[str, Call]:
         "expand_phases": (
             phases, count, axis, zeros(rows, Timing.SIZE), zeros(rows, width), 0, expansion,
         ),
+        **spline_calls(axis),
+    }
+
+
+def spline_calls(axis: np.ndarray) -> dict[str, Call]:
+    """Calls of the kernels of splines."""
+    first, last = np.zeros((2, Derivatives.SIZE))
+    first[WaypointState.VELOCITY], last[WaypointState.POSITION] = -0.1, 0.3
+    search = 3.0, first, last
+    sought = zeros(SplineWork.SIZE, SplineWork.COLUMNS)
+    found = sought.copy()
+    share = backend.spline_share(True, *search, np.array([-0.2, 0.5]), axis, found)
+    assert share < 1.0
+    state = zeros(PieceState.SIZE)
+    state[: SMOOTHNESS + 1] = first[: SMOOTHNESS + 1]
+    pieces = zeros(Mesh.CELLS, Timing.SIZE), zeros(Mesh.CELLS, 2 * SMOOTHNESS)
+    return {
+        "spline_share": (True, *search, np.array([-0.2, 0.5]), axis, sought),
+        "append_spline": (*search, *pieces, 0, state, found),
     }
 
 

@@ -7,7 +7,8 @@ from math import inf
 import numpy as np
 import pytest
 
-from segfmu.planning.splines import CELLS, AxisBounds, overshoots, spline_motion, spline_use
+from segfmu.kernels.spline.records import Mesh
+from segfmu.planning.splines import AxisBounds, overshoots, spline_motion, spline_use
 
 FREE = np.array([-inf, inf])
 
@@ -22,15 +23,15 @@ def test_the_least_jerk_between_rests_is_the_closed_form(scale: float) -> None:
     duration, distance = 2.0, 3.0 * scale
     jerk = 32.0 * distance / duration**3
     limits = np.array([inf, inf, 1.25 * jerk])
-    bounds = AxisBounds(limits, limits, FREE)
+    bounds = AxisBounds(limits, limits[:2], FREE)
     ends = rested(scale, 2), rested(scale + distance, 2)
     assert spline_use(*ends, bounds, duration) == pytest.approx(0.8, rel=1e-6)
     pieces = spline_motion(*ends, bounds, duration)
-    assert pieces is not None and pieces.shape == (CELLS, 4)
+    assert pieces is not None and pieces.shape == (Mesh.CELLS, 4)
     found = 6.0 * pieces[:, 3]
-    quarters = np.repeat([1.0, -1.0, 1.0], [CELLS // 4, CELLS // 2, CELLS // 4])
+    quarters = np.repeat([1.0, -1.0, 1.0], [Mesh.CELLS // 4, Mesh.CELLS // 2, Mesh.CELLS // 4])
     np.testing.assert_allclose(found, jerk * quarters, rtol=1e-6)
-    tight = AxisBounds(limits * 0.79, limits * 0.79, FREE)
+    tight = AxisBounds(limits * 0.79, limits[:2], FREE)
     assert spline_motion(*ends, tight, duration) is None
 
 
@@ -44,19 +45,19 @@ def test_a_motion_keeps_its_ends_limits_and_range(n: int, seed: int) -> None:
     # limits that the least multiple of others makes feasible, just
     limits = 2.0 ** np.arange(n + 1)
     limits[5:] = inf
-    use = spline_use(first, last, AxisBounds(limits, 0.7 * limits, FREE), duration)
+    use = spline_use(first, last, AxisBounds(limits, 0.7 * limits[:2], FREE), duration)
     # the ends keep them as well
     use = max(use, 1.5)
-    bounds = AxisBounds(1.05 * use * limits, 1.05 * 0.7 * use * limits, FREE)
+    bounds = AxisBounds(1.05 * use * limits, 1.05 * 0.7 * use * limits[:2], FREE)
     wide = spline_motion(first, last, bounds._replace(upper=3.0 * bounds.upper), duration)
     assert wide is not None
-    times = np.linspace(0.0, duration / CELLS, 9)
+    times = np.linspace(0.0, duration / Mesh.CELLS, 9)
     reached = np.array([np.polynomial.Polynomial(row)(times) for row in wide])
     allowed = np.array([reached.min() - 0.01, reached.max() + 0.01])
     for own in (bounds, AxisBounds(4.0 * bounds.upper, 2.0 * bounds.lower, allowed)):
         pieces = spline_motion(first, last, own, duration)
         assert pieces is not None
-        lows = [own.allowed[0], *-own.lower]
+        lows = [own.allowed[0], *-own.lower, *-own.upper[2:]]
         highs = [own.allowed[1], *own.upper]
         for order in range(n + 2):
             rows = [np.polynomial.Polynomial(row).deriv(order) for row in pieces]
@@ -85,14 +86,14 @@ def test_what_an_axis_overshoots_by_is_that_of_a_simulation(
     first, last = sign * np.array([0.0, speed, acceleration]), np.zeros(3)
     for room, leaves in ((position * 1.001, False), (position * 0.999, True)):
         allowed = np.sort(sign * np.array([-9.0, room]))
-        assert overshoots(first, last, AxisBounds(limits, limits, allowed)) is leaves
+        assert overshoots(first, last, AxisBounds(limits, limits[:2], allowed)) is leaves
         # an end is the same in reversed time
         end = first * [1.0, -1.0, 1.0]
-        assert overshoots(last, end, AxisBounds(limits, limits, allowed)) is leaves
+        assert overshoots(last, end, AxisBounds(limits, limits[:2], allowed)) is leaves
     moving = np.array([0.0, sign * 0.1, 0.0])
-    assert not overshoots(first, moving, AxisBounds(limits, limits, np.array([-0.1, 0.1])))
+    assert not overshoots(first, moving, AxisBounds(limits, limits[:2], np.array([-0.1, 0.1])))
     outside = np.array([0.2, 0.3])
-    assert overshoots(first, moving, AxisBounds(limits, limits, outside))
+    assert overshoots(first, moving, AxisBounds(limits, limits[:2], outside))
 
 
 def test_speed_alone_tells_where_the_jerk_has_no_limit() -> None:
@@ -100,4 +101,4 @@ def test_speed_alone_tells_where_the_jerk_has_no_limit() -> None:
     first, last = np.array([0.0, 1.0, 0.0]), np.zeros(3)
     for room, leaves in ((1.001, False), (0.999, True)):
         allowed = np.array([-1.0, room])
-        assert overshoots(first, last, AxisBounds(limits, limits, allowed)) is leaves
+        assert overshoots(first, last, AxisBounds(limits, limits[:2], allowed)) is leaves

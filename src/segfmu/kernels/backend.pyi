@@ -955,6 +955,29 @@ def plan_phases(
     /,
 ) -> int: ...
 
+def spline_share(
+    highest: bool,
+    duration: float,
+    first: Floats,
+    last: Floats,
+    allowed: Floats,
+    axis: Floats,
+    work: Floats,
+    /,
+) -> float: ...
+
+def append_spline(
+    duration: float,
+    first: Floats,
+    last: Floats,
+    timing: Floats,
+    coefficients: Floats,
+    row: int,
+    state: Floats,
+    work: Floats,
+    /,
+) -> int: ...
+
 def count_pieces(
     axes: Floats,
     cells: Floats,

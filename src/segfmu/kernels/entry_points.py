@@ -132,7 +132,15 @@ from segfmu.kernels.rig.records import (
     Target,
 )
 from segfmu.kernels.settling.records import LeadEnd, LeadRows, LeadWork, PlanPart
-from segfmu.kernels.trajectory.records import Brake, Expansion, MotionWork, Spare, Timing
+from segfmu.kernels.spline.records import Derivatives, Mesh, SplineWork
+from segfmu.kernels.trajectory.records import (
+    Brake,
+    Expansion,
+    MotionWork,
+    PieceState,
+    Spare,
+    Timing,
+)
 
 # without noise, changes of the payload, times, or obstacles
 MAY_BE_EMPTY = ("sines", "changes", "samples", "boxes")
@@ -215,6 +223,16 @@ _COMMON = (
         timing=("row + ramp_pieces(axis) * count", Timing.SIZE),
         coefficients=("row + ramp_pieces(axis) * count", AXIS_WIDTH),
         work=(Expansion.SIZE, Expansion.COLUMNS),
+    ),
+    entry(
+        "spline.motion", "spline_share", first=Derivatives.SIZE, last=Derivatives.SIZE, allowed=2,
+        axis=Axis.SIZE, work=(SplineWork.SIZE, SplineWork.COLUMNS),
+    ),
+    entry(
+        "spline.pieces", "append_spline", first=Derivatives.SIZE, last=Derivatives.SIZE,
+        timing=(f"row + {Mesh.CELLS}", Timing.SIZE),
+        coefficients=(f"row + {Mesh.CELLS}", f"2 * work[{SplineWork.PROGRAM}, 0] - 2"),
+        state=PieceState.SIZE, work=(SplineWork.SIZE, SplineWork.COLUMNS),
     ),
     entry("trajectory.check", "state_scale", limits="order + 2"),
     entry("trajectory.motion", "plan_motion", **MOTION),

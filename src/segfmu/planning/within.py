@@ -13,7 +13,7 @@ import numpy as np
 
 from segfmu.arrays import FloatArray
 from segfmu.errors import InfeasibleError
-from segfmu.kernels.planner.records import Lower, WaypointState
+from segfmu.kernels.planner.records import WaypointState
 from segfmu.kernels.trajectory.records import Timing
 from segfmu.planning.demands import position_margin, require, require_positions
 from segfmu.planning.motion import plan_motion
@@ -224,9 +224,7 @@ class _Changed:
     def _bounds(self, axis: int) -> AxisBounds:
         problem = self._request.problem
         upper = np.where(problem.limits[axis] > 0.0, problem.limits[axis], inf)
-        lower = upper.copy()
-        lower[: Lower.SIZE] = problem.lower[axis]
-        return AxisBounds(upper, lower, self._allowed[axis])
+        return AxisBounds(upper, problem.lower[axis], self._allowed[axis])
 
     def _leaves(self, axis: int, motion: Motion) -> bool:
         lengths, coefficients = motion

@@ -67,6 +67,7 @@ static int64_t halved_contacts(int64_t part, int64_t found, array_double_1d box,
 static int64_t span_contacts(int64_t part, int64_t found, array_double_1d box, array_double_2d span, array_double_3d stack, array_double_2d times, array_double_1d place);
 static void write_room(int64_t side, int64_t row, double local, double low, double high, array_double_2d coefficients, array_double_2d work);
 static double greatest_lack(int64_t count, double length, double known, array_double_2d work);
+static double pieces_beyond(int64_t side, double low, double high, int64_t count, array_double_2d timing, array_double_2d coefficients, array_double_2d work);
 static void begin_range(int64_t axis, double least, double most, array_double_2d ranges);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
 static double lean_of(double pull, array_double_2d ranges);
@@ -375,6 +376,8 @@ static int64_t rigid_limits(double* result_0, double* result_1, int64_t axis, in
 static double of_the_way(double ahead, double back, int64_t axis, array_double_1d row);
 static int64_t write_axis_starts(int64_t axis, double swing, array_double_1d bounds, array_double_1d resistance, array_double_2d axes, array_double_2d starts);
 static double mean_velocity(int64_t point, int64_t axis, array_double_2d positions, array_double_2d axes, array_double_1d start);
+static bool band_factor(int64_t width, int64_t first, array_double_2d rows);
+static void band_substitute(int64_t width, int64_t first, int64_t column, array_double_2d rows);
 static double root_share(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static double next_point(double newest, double other, double before, double e_newest, double e_other, double e_before);
 static int64_t next_bracket(double* result_0_0001, double* result_1_0001, double* result_2_0001, double* result_3_0001, double* result_4_0001, double* result_5_0001, bool crossed, double point, double error, double newest, double other, double e_newest, double e_other);
@@ -886,11 +889,53 @@ static bool rewrite_intervals(int64_t first, int64_t last, array_double_2d axes,
 static void set_problems(array_double_3d states, array_double_3d cells);
 static double meet_intervals(int64_t first, int64_t last, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
 static int64_t synchronize_plan(array_double_1d dwells, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+static double cell_knot(int64_t i, int64_t degree);
+static double fine_knot(int64_t i, int64_t degree);
+static double rise_factor(int64_t order, int64_t j, int64_t degree);
+static void write_end_points(array_double_2d work);
+static void keep_row(int64_t order, int64_t first, int64_t count, array_double_2d work);
+static void derivative_rows(int64_t order, array_double_2d work);
+static void finer_rows(array_double_2d work);
+static void spread_by(array_double_1d bound, double amount, int64_t column, array_double_2d work);
+static double sum_by(array_double_1d bound, int64_t column, array_double_2d work);
+static void clear_column(int64_t column, array_double_2d work);
+static void add_square(array_double_1d bound, double weight, array_double_2d work);
+static void clear_matrix(array_double_2d work);
+static void solve_points(int64_t column, array_double_2d work);
+static bool factor_matrix(array_double_2d work);
+static bool begin_smoothly(int64_t order, array_double_2d work);
+static void begin_program(array_double_2d work);
+static double bound_miss(int64_t side, array_double_1d bound, array_double_1d program);
+static int64_t measure_gap(double* result_0, double* result_1, array_double_2d work);
+static bool weigh_bounds(array_double_2d work);
+static double wanted_product(int64_t side, double aim, bool corrected, array_double_1d bound);
+static void solve_share(double slope, array_double_2d work);
+static void step_towards(double aim, bool corrected, array_double_2d work);
+static int64_t step_lengths(double* result_0, double* result_1, double* result_2_0001, array_double_2d work);
+static void go_along(double slack, double price, array_double_2d work);
+static double lower_bound(array_double_2d work);
+static double least_share(double most, array_double_2d work);
+static double scale_states(double duration, array_double_1d first, array_double_1d last, array_double_2d work);
+static void scale_bound(double factor, array_double_1d bound);
+static void bound_derivative(int64_t order, int64_t begin, double power, bool shared, array_double_1d axis, array_double_2d work);
+static void bound_positions(int64_t begin, double low, double high, bool shared, array_double_2d work);
+static void cell_levels(array_double_2d work);
+static double end_gain(int64_t power, int64_t cell);
+static void write_gains(array_double_2d work);
+static void write_missed(array_double_2d work);
+static void correct_end(array_double_2d work);
+static double end_levels(double duration, array_double_1d first, array_double_1d last, array_double_2d work);
 static void shift_piece(array_double_2d coefficients, int64_t source, double t, double weight, int64_t target);
 static int64_t merge_pieces(double weight, double now, int64_t middle, int64_t last, array_double_2d timing, array_double_2d coefficients, int64_t row);
+static void begin_state(array_double_2d cell, array_double_2d work);
 static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work);
 static int64_t expand_plan(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work);
+static bool may_turn(array_double_2d cell, array_double_1d axis);
+static void write_edges(array_double_2d cell, array_double_1d first, array_double_1d last);
+static void write_phases(double duration, array_double_2d cell, array_double_1d axis, array_double_2d spline);
+static void bring_nearer(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline);
+static void stay_near(array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline);
 static void lead_to_plan(array_double_2d lead);
 static bool join_behind(array_double_3d states, array_double_1d dwells, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);
 static void set_delayed(array_double_3d states);
@@ -2578,6 +2623,16 @@ return 1;
 }
 }
 return 0;
+}
+static double pieces_beyond(int64_t side, double low, double high, int64_t count, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
+int64_t row;
+double known;
+known = 0.0;
+for (row = 0; row < count; row += 1) {
+write_room(side, row, 0.0, low, high, coefficients, work);
+known = greatest_lack(coefficients.shape[1], *cspan_at(&timing, row, 1), known, work);
+}
+return known;
 }
 static void begin_range(int64_t axis, double least, double most, array_double_2d ranges) {
 int64_t row;
@@ -10067,6 +10122,47 @@ share = -share;
 }
 }
 }
+static bool band_factor(int64_t width, int64_t first, array_double_2d rows) {
+int64_t i, j, k;
+double total;
+for (i = 0; i < rows.shape[0]; i += 1) {
+for (j = span_max_int(0, i - width + 1); j < i + 1; j += 1) {
+total = *cspan_at(&rows, i, first + i - j);
+for (k = span_max_int(0, i - width + 1); k < j; k += 1) {
+total = total - *cspan_at(&rows, i, first + i - k) * *cspan_at(&rows, j, first + j - k);
+}
+if (i == j) {
+if (!(total > 0.0)) {
+return 0;
+}
+*cspan_at(&rows, i, first) = sqrt(total);
+}
+else {
+*cspan_at(&rows, i, first + i - j) = total / *cspan_at(&rows, j, first);
+}
+}
+}
+return 1;
+}
+static void band_substitute(int64_t width, int64_t first, int64_t column, array_double_2d rows) {
+int64_t i, k, step;
+double total;
+for (i = 0; i < rows.shape[0]; i += 1) {
+total = *cspan_at(&rows, i, column);
+for (k = span_max_int(0, i - width + 1); k < i; k += 1) {
+total = total - *cspan_at(&rows, i, first + i - k) * *cspan_at(&rows, k, column);
+}
+*cspan_at(&rows, i, column) = total / *cspan_at(&rows, i, first);
+}
+for (step = 0; step < rows.shape[0]; step += 1) {
+i = rows.shape[0] - 1 - step;
+total = *cspan_at(&rows, i, column);
+for (k = i + 1; k < span_min_int(i + width, rows.shape[0]); k += 1) {
+total = total - *cspan_at(&rows, k, first + k - i) * *cspan_at(&rows, k, column);
+}
+*cspan_at(&rows, i, column) = total / *cspan_at(&rows, i, first);
+}
+}
 int64_t segfmu_check_range(double value, double least, double most, array_double_1d fault) {
 *cspan_at(&fault, 0) = value;
 *cspan_at(&fault, 1) = least;
@@ -17184,7 +17280,7 @@ return result;
 }
 problem = span_row(&lead, 25);
 set_stage_problem(order, end, state, problem);
-result = shortest_ramps(problem, chain, phases, span_rows(&lead, 68, 476));
+result = shortest_ramps(problem, chain, phases, span_rows(&lead, 852, 1260));
 return result;
 }
 static int64_t append_phases(int64_t order, double end, int64_t count, int64_t row, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
@@ -17198,7 +17294,7 @@ chain = span_row(&lead, 61 + seen);
 if ((count < 0) || (row + segfmu_ramp_pieces(chain) * count > 2 * 400)) {
 return -1;
 }
-expansion = span_rows(&lead, 476, 480);
+expansion = span_rows(&lead, 1260, 1264);
 now = span_row(&expansion, 1);
 *cspan_at(&now, 0) = *cspan_at(&state, seen);
 *cspan_at(&now, 1) = *cspan_at(&state, seen + 1);
@@ -17330,7 +17426,7 @@ static int64_t part_hull(int64_t order, int64_t row, double start, double length
 array_double_2d check;
 int64_t width;
 array_double_1d values;
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 width = coefficients.shape[1];
 while((width > order + 1) && (*cspan_at(&coefficients, row, width - 1) == 0.0)) {
 width = width - 1;
@@ -17346,7 +17442,7 @@ return width - order;
 static bool is_hull_inside(int64_t count, double low, double high, array_double_2d lead) {
 array_double_2d check;
 int64_t i;
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 for (i = 0; i < count; i += 1) {
 if (!((low <= *cspan_at(&check, 0, i)) && (*cspan_at(&check, 0, i) <= high))) {
 return 0;
@@ -17358,7 +17454,7 @@ static bool stays_inside(int64_t order, int64_t first, int64_t last, array_doubl
 array_double_2d check;
 double low, high, slack;
 int64_t row, count;
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 low = *cspan_at(&lead, 12, order);
 high = *cspan_at(&lead, 13, order);
 slack = 1e-10 * (high - low);
@@ -17508,7 +17604,7 @@ if (*cspan_at(&limits, i - 1) > 0.0) {
 *cspan_at(&axis, 2 + i - 1) = span_max(*cspan_at(&limits, i - 1), fabs(*cspan_at(&lead, 7, i)));
 }
 }
-if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, 61, 68))) {
+if (!segfmu_ramp_parameters(usual_share(axis), axis, span_rows(&lead, 61, 852))) {
 return 0;
 }
 for (i_0001 = 0; i_0001 < state.shape[0]; i_0001 += 1) {
@@ -17521,7 +17617,7 @@ if (*cspan_at(&limits, i - 1) <= 0.0) {
 }
 }
 chain_limits(steep, axis, state, span_row(&lead, 19));
-set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 68));
+set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 852));
 for (i = 1; i < smoothness + 2; i += 1) {
 *cspan_at(&lead, 12, i) = -*cspan_at(&lead, 19, i);
 if (i <= 2) {
@@ -17557,7 +17653,7 @@ array_double_2d check;
 array_double_1d report;
 int64_t width, parts, order, part, count, i;
 double step, value;
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 report = span_row(&lead, 14);
 width = coefficients.shape[1];
 parts = 8;
@@ -18134,7 +18230,7 @@ seen = 2 - order;
 chain = span_row(&lead, 61 + seen);
 problem = span_row(&lead, 25);
 phases = span_rows(&lead, 26, 59);
-plan = span_rows(&lead, 68, 476);
+plan = span_rows(&lead, 852, 1260);
 ramps = span_rows(&plan, 0, 21);
 passing = span_row(&plan, 101);
 end = lead_end(order, lead);
@@ -18191,7 +18287,7 @@ static void set_limits(double steep, array_double_2d lead) {
 array_double_1d axis;
 axis = span_row(&lead, 59);
 chain_limits(steep, axis, span_row(&lead, 15), span_row(&lead, 19));
-set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 68));
+set_chains(steep, axis, span_row(&lead, 19), span_rows(&lead, 61, 852));
 }
 static bool is_settled(array_double_2d lead) {
 int64_t i;
@@ -18234,10 +18330,10 @@ return -1.0;
 *cspan_at(&problem, 4) = *cspan_at(&target, 4) - *cspan_at(&state, 0);
 count = -1;
 if (ramps) {
-count = shortest_ramps(problem, axis, phases, span_rows(&lead, 68, 476));
+count = shortest_ramps(problem, axis, phases, span_rows(&lead, 852, 1260));
 }
 else {
-count = plain_profile(problem, axis, phases, span_rows(&lead, 68, 476));
+count = plain_profile(problem, axis, phases, span_rows(&lead, 852, 1260));
 }
 if (count < 0) {
 return -1.0;
@@ -18300,7 +18396,7 @@ first = 400;
 if (!is_better(time, lead)) {
 return 0;
 }
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 lower = span_row(&lead, 60);
 if (last > first) {
 if (!begins_now(lead, coefficients)) {
@@ -18694,7 +18790,7 @@ static bool start_search(int64_t shape, array_double_1d limits, array_double_2d 
 int64_t i, i_0001;
 segfmu_axis_limits(limits.shape[0] - 1, shape, limits, span_row(&lead, 59));
 set_lower(span_row(&lead, 60), span_row(&lead, 59));
-if (!segfmu_ramp_parameters(usual_share(span_row(&lead, 59)), span_row(&lead, 59), span_rows(&lead, 61, 68))) {
+if (!segfmu_ramp_parameters(usual_share(span_row(&lead, 59)), span_row(&lead, 59), span_rows(&lead, 61, 852))) {
 return 0;
 }
 for (i = 1; i < limits.shape[0]; i += 1) {
@@ -18824,7 +18920,7 @@ return result;
 }
 static void clear_search(array_double_2d lead) {
 int64_t row, i;
-for (row = 7; row < 68; row += 1) {
+for (row = 7; row < 852; row += 1) {
 for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, row, i) = 0.0;
 }
@@ -19093,7 +19189,7 @@ step = *cspan_at(&timing, 2, row, 1) / 8;
 for (part = 0; part < 8; part += 1) {
 count = part_hull(1, row, part * step, step, lead, span_matrix(&coefficients, 2));
 for (i = 0; i < count; i += 1) {
-velocity = *cspan_at(&lead, 480 + 0, i);
+velocity = *cspan_at(&lead, 1264 + 0, i);
 if (velocity * direction < (-1e-06) * direction * direction) {
 return 1;
 }
@@ -20550,15 +20646,777 @@ return status;
 status = synchronize_plan(dwells, options, axes, cells, work);
 return status;
 }
+static double cell_knot(int64_t i, int64_t degree) {
+return span_min(span_max((i - degree) / 60.0, 0.0), 1.0);
+}
+static double fine_knot(int64_t i, int64_t degree) {
+return span_min(span_max((i - degree) / (double)(60 * 4), 0.0), 1.0);
+}
+static double rise_factor(int64_t order, int64_t j, int64_t degree) {
+double span;
+span = cell_knot(j + degree + 1, degree) - cell_knot(j + order, degree);
+return (degree - order + 1) / span;
+}
+static void write_end_points(array_double_2d work) {
+int64_t degree, last, i, place, order, j;
+array_double_1d begin, end;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+begin = span_row(&work, 1);
+end = span_row(&work, 2);
+last = 60 + degree - 1;
+for (i = 0; i < degree; i += 1) {
+*cspan_at(&work, 7 + i, 0) = *cspan_at(&begin, 0);
+place = last - i;
+*cspan_at(&work, 7 + place, 0) = *cspan_at(&end, 0);
+for (order = 1; order < degree - i; order += 1) {
+*cspan_at(&begin, order - 1) = *cspan_at(&begin, order - 1) + *cspan_at(&begin, order) / rise_factor(order, i, degree);
+j = place - order;
+*cspan_at(&end, order - 1) = *cspan_at(&end, order - 1) - *cspan_at(&end, order) / rise_factor(order, j, degree);
+}
+}
+}
+static void keep_row(int64_t order, int64_t first, int64_t count, array_double_2d work) {
+array_double_1d program, bound;
+int64_t degree, row, used, begin, k, place;
+double weight, by;
+program = span_row(&work, 0);
+degree = (int64_t)(*cspan_at(&program, 0));
+row = 74 + (int64_t)(*cspan_at(&program, 2));
+bound = span_row(&work, row);
+*cspan_at(&bound, 3) = 0.0;
+used = 0;
+weight = 0.0;
+begin = span_max_int(first, degree);
+for (k = 0; k < count; k += 1) {
+by = *cspan_at(&bound, 5 + k);
+place = 7 + first + k;
+if ((first + k < degree) || (first + k >= 60)) {
+*cspan_at(&bound, 3) = *cspan_at(&bound, 3) + by * *cspan_at(&work, place, 0);
+}
+else {
+*cspan_at(&bound, 5 + used) = by;
+used = used + 1;
+weight = weight + fabs(by);
+}
+}
+*cspan_at(&bound, 0) = begin;
+*cspan_at(&bound, 1) = used;
+*cspan_at(&bound, 2) = order;
+if (weight > 1e-12) {
+*cspan_at(&program, 2) = *cspan_at(&program, 2) + 1.0;
+}
+}
+static void derivative_rows(int64_t order, array_double_2d work) {
+int64_t degree, j, row, k, step, lower, i;
+array_double_1d bound;
+double weight;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+for (j = 0; j < 60 + degree - order; j += 1) {
+row = 74 + (int64_t)(*cspan_at(&work, 0, 2));
+bound = span_row(&work, row);
+for (k = 0; k < degree + 1; k += 1) {
+*cspan_at(&bound, 5 + k) = 0.0;
+}
+*cspan_at(&bound, 5) = 1.0;
+for (step = 0; step < order; step += 1) {
+lower = order - step;
+for (k = 0; k < step + 1; k += 1) {
+i = step - k;
+weight = *cspan_at(&bound, 5 + i) * rise_factor(lower, j + i, degree);
+*cspan_at(&bound, 5 + i + 1) = *cspan_at(&bound, 5 + i + 1) + weight;
+*cspan_at(&bound, 5 + i) = -weight;
+}
+}
+keep_row(order, j, order + 1, work);
+}
+}
+static void finer_rows(array_double_2d work) {
+int64_t degree, j, row, cell, last, k, r;
+array_double_1d bound;
+double t, kept, right, left, part;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+for (j = 0; j < 60 * 4 + degree; j += 1) {
+row = 74 + (int64_t)(*cspan_at(&work, 0, 2));
+bound = span_row(&work, row);
+cell = span_min_int(span_floor_div(span_max_int(j - degree, 0), 4), 60 - 1);
+last = cell + degree;
+*cspan_at(&bound, 5) = 1.0;
+for (k = 1; k < degree + 1; k += 1) {
+t = fine_knot(j + k, degree);
+kept = 0.0;
+for (r = 0; r < k; r += 1) {
+right = cell_knot(last + r + 1, degree);
+left = cell_knot(last + r + 1 - k, degree);
+part = *cspan_at(&bound, 5 + r) / (right - left);
+*cspan_at(&bound, 5 + r) = kept + (right - t) * part;
+kept = (t - left) * part;
+}
+*cspan_at(&bound, 5 + k) = kept;
+}
+keep_row(0, cell, degree + 1, work);
+}
+}
+static void spread_by(array_double_1d bound, double amount, int64_t column, array_double_2d work) {
+int64_t k, place;
+for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
+place = 7 + (int64_t)(*cspan_at(&bound, 0)) + k;
+*cspan_at(&work, place, column) = *cspan_at(&work, place, column) + amount * *cspan_at(&bound, 5 + k);
+}
+}
+static double sum_by(array_double_1d bound, int64_t column, array_double_2d work) {
+int64_t k, place;
+double total;
+total = 0.0;
+for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
+place = 7 + (int64_t)(*cspan_at(&bound, 0)) + k;
+total = total + *cspan_at(&bound, 5 + k) * *cspan_at(&work, place, column);
+}
+return total;
+}
+static void clear_column(int64_t column, array_double_2d work) {
+int64_t i;
+for (i = 0; i < 67; i += 1) {
+*cspan_at(&work, 7 + i, column) = 0.0;
+}
+}
+static void add_square(array_double_1d bound, double weight, array_double_2d work) {
+int64_t k, place, i, column;
+double by;
+for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
+place = 7 + (int64_t)(*cspan_at(&bound, 0)) + k;
+by = weight * *cspan_at(&bound, 5 + k);
+for (i = 0; i < k + 1; i += 1) {
+column = 3 + i;
+*cspan_at(&work, place, column) = *cspan_at(&work, place, column) + by * *cspan_at(&bound, 5 + k - i);
+}
+}
+}
+static void clear_matrix(array_double_2d work) {
+int64_t degree, i, k;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+for (i = 0; i < 67; i += 1) {
+for (k = 0; k < degree + 1; k += 1) {
+*cspan_at(&work, 7 + i, 3 + k) = 0.0;
+}
+if ((i < degree) || (i >= 60)) {
+*cspan_at(&work, 7 + i, 3) = 1.0;
+}
+}
+}
+static void solve_points(int64_t column, array_double_2d work) {
+int64_t degree;
+array_double_2d points;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+points = span_rows(&work, 7, 74);
+band_substitute(degree + 1, 3, column, points);
+}
+static bool factor_matrix(array_double_2d work) {
+int64_t degree;
+array_double_2d points;
+bool result;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+points = span_rows(&work, 7, 74);
+result = band_factor(degree + 1, 3, points);
+return result;
+}
+static bool begin_smoothly(int64_t order, array_double_2d work) {
+int64_t i, degree;
+array_double_1d bound, point;
+clear_matrix(work);
+clear_column(1, work);
+for (i = 0; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+if ((int64_t)(*cspan_at(&bound, 2)) == order) {
+add_square(bound, 1.0, work);
+spread_by(bound, -*cspan_at(&bound, 3), 1, work);
+}
+}
+if (!factor_matrix(work)) {
+return 0;
+}
+solve_points(1, work);
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+for (i = degree; i < 60; i += 1) {
+point = span_row(&work, 7 + i);
+*cspan_at(&point, 0) = *cspan_at(&point, 1);
+}
+return 1;
+}
+static void begin_program(array_double_2d work) {
+array_double_1d program, bound;
+int64_t count, i, side;
+double largest, sign, used, total, part, slack;
+program = span_row(&work, 0);
+count = (int64_t)(*cspan_at(&program, 2));
+largest = 0.0;
+for (i = 0; i < count; i += 1) {
+bound = span_row(&work, 74 + i);
+*cspan_at(&bound, 4) = sum_by(bound, 0, work);
+for (side = 0; side < 2; side += 1) {
+if ((*cspan_at(&bound, 15 + side) < 1e+300) && (*cspan_at(&bound, 13 + side) > 0.0)) {
+sign = 1.0 - 2.0 * side;
+used = sign * *cspan_at(&bound, 4) - *cspan_at(&bound, 15 + side);
+largest = span_max(largest, used / *cspan_at(&bound, 13 + side));
+}
+}
+}
+*cspan_at(&program, 3) = largest;
+if (largest <= 0.0) {
+return;
+}
+*cspan_at(&program, 4) = 1.0 + 0.1;
+total = 0.0;
+for (i = 0; i < count; i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+part = *cspan_at(&bound, 13 + side) * *cspan_at(&program, 3);
+*cspan_at(&bound, 13 + side) = part;
+slack = *cspan_at(&bound, 15 + side) + part * *cspan_at(&program, 4);
+slack = slack - (1.0 - 2.0 * side) * *cspan_at(&bound, 4);
+*cspan_at(&bound, 17 + side) = span_max(slack, 0.1 * span_max(part, 0.1));
+total = total + part / *cspan_at(&bound, 17 + side);
+}
+}
+}
+for (i = 0; i < count; i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+*cspan_at(&bound, 19 + side) = 1.0 / (total * *cspan_at(&bound, 17 + side));
+}
+}
+}
+}
+static double bound_miss(int64_t side, array_double_1d bound, array_double_1d program) {
+double given, result;
+given = *cspan_at(&bound, 15 + side) + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 4);
+result = given - (1.0 - 2.0 * side) * *cspan_at(&bound, 4) - *cspan_at(&bound, 17 + side);
+return result;
+}
+static int64_t measure_gap(double* result_0, double* result_1, array_double_2d work) {
+array_double_1d program, bound;
+double product, miss;
+int64_t terms, i, side;
+program = span_row(&work, 0);
+product = 0.0;
+terms = 0;
+miss = 0.0;
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+*cspan_at(&bound, 4) = sum_by(bound, 0, work);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+product = product + *cspan_at(&bound, 17 + side) * *cspan_at(&bound, 19 + side);
+terms = terms + 1;
+miss = span_max(miss, fabs(bound_miss(side, bound, program)));
+}
+}
+}
+*cspan_at(&program, 8) = product / span_max_int(terms, 1);
+(*result_0) = product;
+(*result_1) = miss;
+return 0;
+}
+static bool weigh_bounds(array_double_2d work) {
+array_double_1d program, bound, point;
+int64_t i, side;
+double square, crossed, weight, part, product;
+bool result;
+program = span_row(&work, 0);
+*cspan_at(&program, 6) = 0.0;
+clear_matrix(work);
+clear_column(2, work);
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+square = 0.0;
+crossed = 0.0;
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+weight = *cspan_at(&bound, 19 + side) / *cspan_at(&bound, 17 + side);
+part = weight * *cspan_at(&bound, 13 + side);
+square = square + weight;
+crossed = crossed + (1.0 - 2.0 * side) * part;
+weight = part * *cspan_at(&bound, 13 + side);
+*cspan_at(&program, 6) = *cspan_at(&program, 6) + weight;
+}
+}
+add_square(bound, square, work);
+if (crossed != 0.0) {
+spread_by(bound, crossed, 2, work);
+}
+}
+if (!factor_matrix(work)) {
+return 0;
+}
+for (i = 0; i < 67; i += 1) {
+point = span_row(&work, 7 + i);
+*cspan_at(&point, 1) = *cspan_at(&point, 2);
+}
+solve_points(2, work);
+for (i = 0; i < 67; i += 1) {
+point = span_row(&work, 7 + i);
+product = *cspan_at(&point, 1) * *cspan_at(&point, 2);
+*cspan_at(&program, 6) = *cspan_at(&program, 6) - product;
+}
+result = *cspan_at(&program, 6) > 0.0;
+return result;
+}
+static double wanted_product(int64_t side, double aim, bool corrected, array_double_1d bound) {
+double product;
+product = aim - *cspan_at(&bound, 17 + side) * *cspan_at(&bound, 19 + side);
+if (corrected) {
+product = product - *cspan_at(&bound, 21 + side) * *cspan_at(&bound, 23 + side);
+}
+return product;
+}
+static void solve_share(double slope, array_double_2d work) {
+array_double_1d program, point;
+int64_t i;
+double step;
+program = span_row(&work, 0);
+for (i = 0; i < 67; i += 1) {
+point = span_row(&work, 7 + i);
+slope = slope - *cspan_at(&point, 1) * *cspan_at(&point, 2);
+}
+step = (-slope) / *cspan_at(&program, 6);
+*cspan_at(&program, 5) = step;
+solve_points(1, work);
+for (i = 0; i < 67; i += 1) {
+point = span_row(&work, 7 + i);
+*cspan_at(&point, 1) = *cspan_at(&point, 1) + step * *cspan_at(&point, 2);
+}
+}
+static void step_towards(double aim, bool corrected, array_double_2d work) {
+array_double_1d program, bound;
+double slope, total, price, change, slack;
+int64_t i, side;
+program = span_row(&work, 0);
+slope = 1.0;
+clear_column(1, work);
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+total = 0.0;
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+price = wanted_product(side, aim, corrected, bound);
+price = price - *cspan_at(&bound, 19 + side) * bound_miss(side, bound, program);
+price = *cspan_at(&bound, 19 + side) + price / *cspan_at(&bound, 17 + side);
+total = total - (1.0 - 2.0 * side) * price;
+slope = slope - *cspan_at(&bound, 13 + side) * price;
+}
+}
+spread_by(bound, total, 1, work);
+}
+solve_share(slope, work);
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+change = sum_by(bound, 1, work);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+slack = bound_miss(side, bound, program) - (1.0 - 2.0 * side) * change;
+slack = slack + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 5);
+price = wanted_product(side, aim, corrected, bound);
+price = price - *cspan_at(&bound, 19 + side) * slack;
+*cspan_at(&bound, 21 + side) = slack;
+*cspan_at(&bound, 23 + side) = price / *cspan_at(&bound, 17 + side);
+}
+}
+}
+}
+static int64_t step_lengths(double* result_0, double* result_1, double* result_2_0001, array_double_2d work) {
+array_double_1d program, bound;
+double slack, price, product, left, cost;
+int64_t i, side, terms;
+program = span_row(&work, 0);
+slack = 1.0;
+price = 1.0;
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+if (*cspan_at(&bound, 17 + side) < (-slack) * *cspan_at(&bound, 21 + side)) {
+slack = (-*cspan_at(&bound, 17 + side)) / *cspan_at(&bound, 21 + side);
+}
+if (*cspan_at(&bound, 19 + side) < (-price) * *cspan_at(&bound, 23 + side)) {
+price = (-*cspan_at(&bound, 19 + side)) / *cspan_at(&bound, 23 + side);
+}
+}
+}
+}
+product = 0.0;
+terms = 0;
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+left = *cspan_at(&bound, 17 + side) + slack * *cspan_at(&bound, 21 + side);
+cost = *cspan_at(&bound, 19 + side) + price * *cspan_at(&bound, 23 + side);
+product = product + left * cost;
+terms = terms + 1;
+}
+}
+}
+(*result_0) = slack;
+(*result_1) = price;
+(*result_2_0001) = product / span_max_int(terms, 1);
+return 0;
+}
+static void go_along(double slack, double price, array_double_2d work) {
+array_double_1d program, point, bound;
+int64_t i, side;
+double left, cost;
+program = span_row(&work, 0);
+*cspan_at(&program, 4) = *cspan_at(&program, 4) + slack * *cspan_at(&program, 5);
+for (i = 0; i < 67; i += 1) {
+point = span_row(&work, 7 + i);
+*cspan_at(&point, 0) = *cspan_at(&point, 0) + slack * *cspan_at(&point, 1);
+}
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+left = *cspan_at(&bound, 17 + side) + slack * *cspan_at(&bound, 21 + side);
+cost = *cspan_at(&bound, 19 + side) + price * *cspan_at(&bound, 23 + side);
+*cspan_at(&bound, 17 + side) = left;
+*cspan_at(&bound, 19 + side) = cost;
+}
+}
+}
+}
+static double lower_bound(array_double_2d work) {
+array_double_1d program, bound;
+double total, result;
+int64_t i, side;
+program = span_row(&work, 0);
+total = 0.0;
+for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+for (side = 0; side < 2; side += 1) {
+if (*cspan_at(&bound, 15 + side) < 1e+300) {
+total = total - *cspan_at(&bound, 15 + side) * *cspan_at(&bound, 19 + side);
+}
+}
+}
+result = total * *cspan_at(&program, 3);
+return result;
+}
+static double least_share(double most, array_double_2d work) {
+array_double_1d program;
+double unbalanced, product, miss, gap, slack, price, left, share;
+int64_t step;
+program = span_row(&work, 0);
+begin_program(work);
+if (*cspan_at(&program, 3) <= 0.0) {
+return 0.0;
+}
+unbalanced = 1.0;
+for (step = 0; step < 60; step += 1) {
+measure_gap(&product, &miss, work);
+share = *cspan_at(&program, 4) * *cspan_at(&program, 3);
+if ((miss <= 1e-09 * span_max(share, 1.0)) && (product <= 1e-07 * *cspan_at(&program, 4))) {
+return share;
+}
+if ((unbalanced < 1e-07) && (lower_bound(work) > most * (1.0 + 1e-09))) {
+return 1e+300;
+}
+if (!weigh_bounds(work)) {
+break;
+}
+gap = *cspan_at(&program, 8);
+step_towards(0.0, 0, work);
+step_lengths(&slack, &price, &left, work);
+step_towards(left * left * left / (gap * gap), 1, work);
+step_lengths(&slack, &price, &left, work);
+price = span_min(0.995 * price, 1.0);
+go_along(span_min(0.995 * slack, 1.0), price, work);
+unbalanced = unbalanced * (1.0 - price);
+}
+return 1e+300;
+}
+static double scale_states(double duration, array_double_1d first, array_double_1d last, array_double_2d work) {
+array_double_1d program, begin, end;
+double power, unit;
+int64_t order;
+program = span_row(&work, 0);
+begin = span_row(&work, 1);
+end = span_row(&work, 2);
+unit = 0.0;
+power = 1.0;
+for (order = 0; order < (int64_t)(*cspan_at(&program, 0)); order += 1) {
+*cspan_at(&begin, order) = *cspan_at(&first, order) * power;
+*cspan_at(&end, order) = *cspan_at(&last, order) * power;
+if (order == 0) {
+*cspan_at(&end, order) = *cspan_at(&end, order) - *cspan_at(&begin, order);
+*cspan_at(&begin, order) = 0.0;
+}
+unit = span_max(unit, span_max(fabs(*cspan_at(&begin, order)), fabs(*cspan_at(&end, order))));
+power = power * duration;
+}
+*cspan_at(&program, 1) = unit;
+if (unit > 0.0) {
+for (order = 0; order < (int64_t)(*cspan_at(&program, 0)); order += 1) {
+*cspan_at(&begin, order) = *cspan_at(&begin, order) / unit;
+*cspan_at(&end, order) = *cspan_at(&end, order) / unit;
+}
+}
+return unit;
+}
+static void scale_bound(double factor, array_double_1d bound) {
+int64_t k;
+*cspan_at(&bound, 3) = *cspan_at(&bound, 3) * factor;
+for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
+*cspan_at(&bound, 5 + k) = *cspan_at(&bound, 5 + k) * factor;
+}
+}
+static void bound_derivative(int64_t order, int64_t begin, double power, bool shared, array_double_1d axis, array_double_2d work) {
+double larger, sign, limit;
+int64_t i, side;
+array_double_1d bound;
+larger = span_max(side_limit(order, 1.0, axis), side_limit(order, -1.0, axis));
+for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+scale_bound(1.0 / (larger * power), bound);
+for (side = 0; side < 2; side += 1) {
+sign = 1.0 - 2.0 * side;
+limit = side_limit(order, sign, axis) / larger * (1.0 - 1e-07);
+*cspan_at(&bound, 13 + side) = shared ? limit : 0.0;
+*cspan_at(&bound, 15 + side) = (-sign) * *cspan_at(&bound, 3);
+if (!shared) {
+*cspan_at(&bound, 15 + side) = limit - sign * *cspan_at(&bound, 3);
+}
+}
+}
+}
+static void bound_positions(int64_t begin, double low, double high, bool shared, array_double_2d work) {
+double size, part, weight, given, sign, edge, room;
+int64_t i, k, side;
+array_double_1d bound;
+size = span_min(high - low, 1.0);
+if (!(size > 0.0)) {
+size = 1.0;
+}
+part = shared ? 1.0 : 0.0;
+for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+bound = span_row(&work, 74 + i);
+weight = 0.0;
+for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
+weight = weight + *cspan_at(&bound, 5 + k);
+}
+scale_bound(1.0 / weight, bound);
+given = *cspan_at(&bound, 3) / size;
+scale_bound(1.0 / size, bound);
+for (side = 0; side < 2; side += 1) {
+sign = 1.0 - 2.0 * side;
+edge = side == 0 ? high : -low;
+*cspan_at(&bound, 13 + side) = part;
+*cspan_at(&bound, 15 + side) = 1e+300;
+if (edge < 1e+300) {
+room = edge / (weight * size) - sign * given;
+*cspan_at(&bound, 15 + side) = room - 1e-07 - part;
+}
+}
+}
+}
+double segfmu_spline_share(bool highest, double duration, array_double_1d first, array_double_1d last, array_double_1d allowed, array_double_1d axis, array_double_2d work) {
+int64_t n, top, order, begin;
+array_double_1d program;
+double unit, power, low, high, result;
+n = (int64_t)(*cspan_at(&axis, 0));
+program = span_row(&work, 0);
+*cspan_at(&program, 0) = n + 1;
+*cspan_at(&program, 2) = 0.0;
+unit = scale_states(duration, first, last, work);
+if (!((0.0 < unit) && (unit < 1e+300))) {
+return 1e+300;
+}
+top = 0;
+for (order = 1; order < n + 2; order += 1) {
+if (*cspan_at(&axis, 2 + order - 1) > 0.0) {
+top = order;
+}
+}
+write_end_points(work);
+power = 1.0 / unit;
+for (order = 1; order < n + 2; order += 1) {
+power = power * duration;
+if (*cspan_at(&axis, 2 + order - 1) > 0.0) {
+begin = (int64_t)(*cspan_at(&program, 2));
+derivative_rows(order, work);
+bound_derivative(order, begin, power, (!highest) || (order == top), axis, work);
+}
+}
+if (!begin_smoothly(top, work)) {
+return 1e+300;
+}
+begin = (int64_t)(*cspan_at(&program, 2));
+if ((*cspan_at(&allowed, 0) > -1e+300) || (*cspan_at(&allowed, 1) < 1e+300)) {
+finer_rows(work);
+low = (*cspan_at(&allowed, 0) - *cspan_at(&first, 0)) / unit;
+high = (*cspan_at(&allowed, 1) - *cspan_at(&first, 0)) / unit;
+bound_positions(begin, low, high, !highest, work);
+}
+result = least_share(highest ? 1.0 : 1e+300, work);
+return result;
+}
+static void cell_levels(array_double_2d work) {
+int64_t degree, i, order, cell;
+array_double_2d points;
+double change;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+points = span_rows(&work, 7, 74);
+for (i = 0; i < 60 + degree; i += 1) {
+*cspan_at(&points, i, 1) = *cspan_at(&points, i, 0);
+}
+for (order = 1; order < degree + 1; order += 1) {
+for (i = 0; i < 60 + degree - order; i += 1) {
+change = *cspan_at(&points, i + 1, 1) - *cspan_at(&points, i, 1);
+*cspan_at(&points, i, 1) = change * rise_factor(order, i, degree);
+}
+}
+for (cell = 0; cell < 60; cell += 1) {
+*cspan_at(&work, 724 + cell, 0) = *cspan_at(&points, cell, 1);
+}
+}
+static double end_gain(int64_t power, int64_t cell) {
+double before, after, first, last, gain;
+int64_t k;
+before = 1.0 - cell / 60.0;
+after = 1.0 - (cell + 1) / 60.0;
+gain = 1.0;
+first = 1.0;
+last = 1.0;
+for (k = 1; k < power + 1; k += 1) {
+first = first * before / k;
+last = last * after / k;
+gain = first - last;
+}
+return gain;
+}
+static void write_gains(array_double_2d work) {
+int64_t degree, i, own, cell, sweep, k, other;
+array_double_2d levels;
+double total, norm;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+levels = span_rows(&work, 724, 784);
+for (i = 0; i < degree; i += 1) {
+own = 1 + i;
+for (cell = 0; cell < 60; cell += 1) {
+*cspan_at(&levels, cell, own) = end_gain(i + 1, cell);
+}
+for (sweep = 0; sweep < 2; sweep += 1) {
+for (k = 0; k < i; k += 1) {
+other = 1 + k;
+total = 0.0;
+for (cell = 0; cell < 60; cell += 1) {
+total = total + *cspan_at(&levels, cell, own) * *cspan_at(&levels, cell, other);
+}
+for (cell = 0; cell < 60; cell += 1) {
+*cspan_at(&levels, cell, own) = *cspan_at(&levels, cell, own) - total * *cspan_at(&levels, cell, other);
+}
+}
+}
+norm = 0.0;
+for (cell = 0; cell < 60; cell += 1) {
+norm = norm + *cspan_at(&levels, cell, own) * *cspan_at(&levels, cell, own);
+}
+for (cell = 0; cell < 60; cell += 1) {
+*cspan_at(&levels, cell, own) = *cspan_at(&levels, cell, own) / sqrt(norm);
+}
+}
+}
+static void write_missed(array_double_2d work) {
+int64_t degree, order, cell, k;
+array_double_1d missed;
+double level, factor, total, above;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+missed = span_row(&work, 3);
+for (order = 0; order < degree; order += 1) {
+*cspan_at(&missed, order) = *cspan_at(&work, 1, order);
+}
+for (cell = 0; cell < 60; cell += 1) {
+level = *cspan_at(&work, 724 + cell, 0);
+for (order = 0; order < degree; order += 1) {
+factor = 1.0;
+total = *cspan_at(&missed, order);
+for (k = 1; k < degree - order + 1; k += 1) {
+factor = factor / (60 * (double)(k));
+above = level;
+if (order + k < degree) {
+above = *cspan_at(&missed, order + k);
+}
+total = total + above * factor;
+}
+*cspan_at(&missed, order) = total;
+}
+}
+for (order = 0; order < degree; order += 1) {
+*cspan_at(&missed, order) = *cspan_at(&work, 2, order) - *cspan_at(&missed, order);
+}
+}
+static void correct_end(array_double_2d work) {
+int64_t degree, i, own, cell, order;
+array_double_2d levels;
+double by, amount, effect, missed;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+levels = span_rows(&work, 724, 784);
+write_missed(work);
+for (i = 0; i < degree; i += 1) {
+own = 1 + i;
+by = 0.0;
+for (cell = 0; cell < 60; cell += 1) {
+by = by + *cspan_at(&levels, cell, own) * end_gain(i + 1, cell);
+}
+amount = *cspan_at(&work, 3, degree - 1 - i) / by;
+for (cell = 0; cell < 60; cell += 1) {
+*cspan_at(&levels, cell, 0) = *cspan_at(&levels, cell, 0) + amount * *cspan_at(&levels, cell, own);
+}
+for (order = 0; order < degree - 1 - i; order += 1) {
+effect = 0.0;
+for (cell = 0; cell < 60; cell += 1) {
+effect = effect + *cspan_at(&levels, cell, own) * end_gain(degree - order, cell);
+}
+missed = *cspan_at(&work, 3, order);
+*cspan_at(&work, 3, order) = missed - amount * effect;
+}
+}
+}
+static double end_levels(double duration, array_double_1d first, array_double_1d last, array_double_2d work) {
+double unit, scale;
+int64_t correction, order;
+unit = scale_states(duration, first, last, work);
+cell_levels(work);
+write_gains(work);
+for (correction = 0; correction < 3; correction += 1) {
+correct_end(work);
+}
+scale = unit;
+for (order = 0; order < (int64_t)(*cspan_at(&work, 0, 0)); order += 1) {
+scale = scale / duration;
+}
+return scale;
+}
+int64_t segfmu_append_spline(double duration, array_double_1d first, array_double_1d last, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state, array_double_2d work) {
+int64_t degree, cell;
+double scale;
+degree = (int64_t)(*cspan_at(&work, 0, 0));
+scale = end_levels(duration, first, last, work);
+for (cell = 0; cell < 60; cell += 1) {
+set_held(degree - 2, scale * *cspan_at(&work, 724 + cell, 0), state);
+clear_piece(coefficients, row);
+row = append_piece(duration / 60.0, timing, coefficients, row, state);
+}
+return row;
+}
 int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells) {
-int64_t each, i, total;
-double phases;
+int64_t each, i, j, total;
 total = 810 + axes.shape[0] + cells.shape[0];
 each = segfmu_ramp_pieces(span_row(&axes, 0));
 for (i = 0; i < cells.shape[0]; i += 1) {
-phases = *cspan_at(&cells, i, 67, 3);
-phases = phases + *cspan_at(&cells, i, 67, 4);
-total = total + each * (int64_t)(phases);
+for (j = 0; j < (int64_t)(*cspan_at(&cells, i, 67, 3)); j += 1) {
+total = total + (*cspan_at(&cells, i, 0 + j, 3) == 0.0 ? 1 : each);
+}
+total = total + each * (int64_t)(*cspan_at(&cells, i, 67, 4));
 }
 return total;
 }
@@ -20618,22 +21476,28 @@ t_b = 0.0;
 }
 return row;
 }
-static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work) {
+static void begin_state(array_double_2d cell, array_double_2d work) {
 array_double_1d state;
-int64_t count, result;
+int64_t i;
 state = span_row(&work, 1);
+for (i = 0; i < 9; i += 1) {
+*cspan_at(&state, i) = 0.0;
+}
 *cspan_at(&state, 0) = *cspan_at(&cell, 68, 0);
 *cspan_at(&state, 1) = *cspan_at(&cell, 66, 0);
 *cspan_at(&state, 2) = *cspan_at(&cell, 66, 1);
-*cspan_at(&state, 3) = 0.0;
 *cspan_at(&state, 8) = *cspan_at(&cell, 68, 1);
+}
+static int64_t expand_profile(array_double_2d cell, bool second, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work) {
+int64_t count, result;
+begin_state(cell, work);
 if (second) {
 count = (int64_t)(*cspan_at(&cell, 67, 4));
 result = segfmu_expand_phases(span_rows(&cell, 33, 66), count, axis, timing, coefficients, row, work);
 return result;
 }
 count = (int64_t)(*cspan_at(&cell, 67, 3));
-result = segfmu_expand_phases(span_rows(&cell, 0, 33), count, axis, timing, coefficients, row, work);
+result = segfmu_expand_phases(span_rows(&cell, 0, 66), count, axis, timing, coefficients, row, work);
 return result;
 }
 static int64_t expand_cell(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_2d work) {
@@ -20687,6 +21551,101 @@ now = now + *cspan_at(&cell, 67, 1);
 *cspan_at(&offsets, count) = row;
 return row;
 }
+static bool may_turn(array_double_2d cell, array_double_1d axis) {
+double v, time, y, end, low, high;
+int64_t count;
+v = *cspan_at(&cell, 66, 0);
+count = (int64_t)(*cspan_at(&cell, 67, 3));
+segfmu_measure_phases(&time, &y, &end, &low, &high, span_rows(&cell, 0, 33), count, v, 0.0, axis);
+if (is_turning(low, high)) {
+return 1;
+}
+count = (int64_t)(*cspan_at(&cell, 67, 4));
+segfmu_measure_phases(&time, &y, &end, &low, &high, span_rows(&cell, 33, 66), count, v, 0.0, axis);
+return is_turning(low, high);
+}
+static void write_edges(array_double_2d cell, array_double_1d first, array_double_1d last) {
+int64_t i;
+for (i = 0; i < 8; i += 1) {
+*cspan_at(&first, i) = 0.0;
+*cspan_at(&last, i) = 0.0;
+}
+*cspan_at(&first, 1) = *cspan_at(&cell, 66, 0);
+*cspan_at(&first, 2) = *cspan_at(&cell, 66, 1);
+*cspan_at(&last, 0) = *cspan_at(&cell, 66, 4);
+*cspan_at(&last, 1) = *cspan_at(&cell, 66, 2);
+*cspan_at(&last, 2) = *cspan_at(&cell, 66, 3);
+}
+static void write_phases(double duration, array_double_2d cell, array_double_1d axis, array_double_2d spline) {
+double scale, above, level;
+int64_t used, i;
+scale = end_levels(duration, span_row(&spline, 4), span_row(&spline, 5), spline);
+above = *cspan_at(&axis, 0) - 1.0;
+used = 0;
+for (i = 0; i < 60; i += 1) {
+level = scale * *cspan_at(&spline, 724 + i, 0);
+used = append_phase(span_rows(&cell, 0, 66), used, duration / 60.0, 0.0, level, 0.0, above);
+}
+*cspan_at(&cell, 67, 3) = used;
+*cspan_at(&cell, 67, 4) = 0.0;
+*cspan_at(&cell, 67, 2) = 0.0;
+}
+static void bring_nearer(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline) {
+double distance, low, high, above, below, own_above, own_below, path, duration;
+int64_t count;
+array_double_2d phases;
+array_double_1d first, last, allowed;
+distance = *cspan_at(&cell, 66, 4);
+low = span_min(distance, 0.0);
+high = span_max(distance, 0.0);
+*cspan_at(&cell, 68, 0) = 0.0;
+*cspan_at(&cell, 68, 1) = 0.0;
+count = expand_cell(cell, axis, timing, coefficients, 0, expansion);
+above = pieces_beyond(0, low, high, count, timing, coefficients, planner);
+below = pieces_beyond(1, low, high, count, timing, coefficients, planner);
+if (span_max(above, below) <= 0.01 * (high - low)) {
+return;
+}
+phases = span_rows(&spline, 724, 784);
+count = segfmu_shortest_profile(span_row(&cell, 66), axis, phases, planner);
+if (count <= 0) {
+return;
+}
+begin_state(cell, expansion);
+count = segfmu_expand_phases(phases, count, axis, timing, coefficients, 0, expansion);
+own_above = pieces_beyond(0, low, high, count, timing, coefficients, planner);
+own_below = pieces_beyond(1, low, high, count, timing, coefficients, planner);
+path = high - low + own_above + own_below;
+if (span_max(above - own_above, below - own_below) <= 0.01 * path) {
+return;
+}
+first = span_row(&spline, 4);
+last = span_row(&spline, 5);
+allowed = span_row(&spline, 6);
+*cspan_at(&allowed, 0) = low - span_max(own_below, span_min(own_below + 0.01 * path, below));
+*cspan_at(&allowed, 1) = high + span_max(own_above, span_min(own_above + 0.01 * path, above));
+write_edges(cell, first, last);
+duration = *cspan_at(&cell, 67, 1) - *cspan_at(&cell, 68, 2);
+if (segfmu_spline_share(1, duration, first, last, allowed, axis, spline) <= 1.0) {
+write_phases(duration, cell, axis, spline);
+}
+}
+static void stay_near(array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline) {
+int64_t i, row;
+array_double_2d cell;
+double shortest;
+for (i = 0; i < cells.shape[0]; i += 1) {
+cell = span_matrix(&cells, i);
+row = span_floor_mod(i, axes.shape[0]);
+shortest = *cspan_at(&cell, 67, 0);
+if (*cspan_at(&cell, 67, 1) <= shortest * (1.0 + 1e-13)) {
+continue;
+}
+if ((!is_resting(span_row(&cell, 66), span_row(&axes, row))) && may_turn(cell, span_row(&axes, row))) {
+bring_nearer(cell, span_row(&axes, row), timing, coefficients, planner, expansion, spline);
+}
+}
+}
 static void lead_to_plan(array_double_2d lead) {
 array_double_1d options;
 options = span_row(&lead, 1);
@@ -20709,7 +21668,7 @@ end = 4 * (count + 1);
 if (*cspan_at(&offsets, leads + count) + segfmu_count_pieces(axes, cells) > timing.shape[1]) {
 return 0;
 }
-expand_plan(states, dwells, axes, cells, span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), times, span_rows(&lead, 476, 480));
+expand_plan(states, dwells, axes, cells, span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), times, span_rows(&lead, 1260, 1264));
 segfmu_join_plans(span_matrix(&timing, 1), span_matrix(&coefficients, 1), span_part(&offsets, leads, behind), span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_part(&offsets, behind, whole), span_matrix(&timing, 3), span_matrix(&coefficients, 3), span_part(&offsets, whole, end));
 return 1;
 }
@@ -20717,7 +21676,7 @@ bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_do
 array_double_2d check;
 double tolerance, joints;
 int64_t axis, wrong, i;
-check = span_rows(&lead, 480, 528);
+check = span_rows(&lead, 1264, 1312);
 tolerance = *cspan_at(&lead, 2, 0);
 joints = *cspan_at(&lead, 2, 1);
 for (axis = 0; axis < limits.shape[0]; axis += 1) {
@@ -20772,7 +21731,7 @@ done = (int64_t)(*cspan_at(&lead, 0, 4));
 status = 0;
 *cspan_at(&lead, 0, 5) = -1.0;
 for (i = 0; i < 5; i += 1) {
-*cspan_at(&lead, 68 + 99, i) = 0.0;
+*cspan_at(&lead, 852 + 99, i) = 0.0;
 }
 if (timing.shape[1] < *cspan_at(&offsets, count) + 400 * count + 1200) {
 return 1;
@@ -20789,7 +21748,10 @@ status = (int64_t)(-3);
 }
 if ((status == 0) && (done != 2)) {
 set_delayed(states);
-status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, 1), span_rows(&axes, 0, count), cells, span_rows(&lead, 68, 476));
+status = segfmu_plan_phases(span_layers(&states, points, last), dwells, limits, lower, span_row(&lead, 1), span_rows(&axes, 0, count), cells, span_rows(&lead, 852, 1260));
+if (status == 0) {
+stay_near(span_rows(&axes, 0, count), cells, span_matrix(&timing, 2), span_matrix(&coefficients, 2), span_rows(&lead, 852, 1260), span_rows(&lead, 1260, 1264), span_rows(&lead, 68, 852));
+}
 }
 if (status == 0) {
 status = finish_plan(states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, lead);
@@ -20888,7 +21850,7 @@ int64_t status, first, last;
 bool result;
 dwells = span_row(&work, 84);
 axes = span_rows(&work, 85, 88);
-status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, 1), axes, cells, span_rows(&lead, 68, 476));
+status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&lead, 1), axes, cells, span_rows(&lead, 852, 1260));
 if (status < 0) {
 return 0;
 }
@@ -21992,7 +22954,7 @@ for (j = 1; j < states.shape[0] + 1; j += 1) {
 *cspan_at(&times, j, axis) = plan_end(4, axis, timing, offsets);
 }
 }
-result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 480, 528)) == 0;
+result = check_plan(states, times, span_matrix(&timing, 4), span_matrix(&coefficients, 4), span_part(&offsets, first, first + 4), limits, span_rows(&known, 6, 9), 1e-09, 9.5e-10, span_rows(&lead, 1264, 1312)) == 0;
 return result;
 }
 static int64_t prove_crane(int64_t demands, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack) {
@@ -23594,41 +24556,12 @@ total = total - log(room);
 return total;
 }
 static bool band_solve(array_double_2d band) {
-int64_t width, i, j, k, step;
-double total;
+int64_t width;
 width = band.shape[1] - 1;
-for (i = 0; i < band.shape[0]; i += 1) {
-for (j = span_max_int(0, i - width + 1); j < i + 1; j += 1) {
-total = *cspan_at(&band, i, i - j);
-for (k = span_max_int(0, i - width + 1); k < j; k += 1) {
-total = total - *cspan_at(&band, i, i - k) * *cspan_at(&band, j, j - k);
-}
-if (i == j) {
-if (!(total > 0.0)) {
+if (!band_factor(width, 0, band)) {
 return 0;
 }
-*cspan_at(&band, i, 0) = sqrt(total);
-}
-else {
-*cspan_at(&band, i, i - j) = total / *cspan_at(&band, j, 0);
-}
-}
-}
-for (i = 0; i < band.shape[0]; i += 1) {
-total = *cspan_at(&band, i, width);
-for (k = span_max_int(0, i - width + 1); k < i; k += 1) {
-total = total - *cspan_at(&band, i, i - k) * *cspan_at(&band, k, width);
-}
-*cspan_at(&band, i, width) = total / *cspan_at(&band, i, 0);
-}
-for (step = 0; step < band.shape[0]; step += 1) {
-i = band.shape[0] - 1 - step;
-total = *cspan_at(&band, i, width);
-for (k = i + 1; k < span_min_int(i + width, band.shape[0]); k += 1) {
-total = total - *cspan_at(&band, k, k - i) * *cspan_at(&band, k, width);
-}
-*cspan_at(&band, i, width) = total / *cspan_at(&band, i, 0);
-}
+band_substitute(width, 0, width, band);
 return 1;
 }
 static int64_t end_row(int64_t i, int64_t place, int64_t axes) {
@@ -23772,7 +24705,7 @@ return -promised;
 static bool set_axes(array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_2d work) {
 array_double_2d planner;
 int64_t smoothness, shape, axis;
-planner = span_rows(&work, 2, 410);
+planner = span_rows(&work, 786, 1194);
 smoothness = (int64_t)(*cspan_at(&work, 0, 0));
 shape = (int64_t)(*cspan_at(&work, 0, 1));
 for (axis = 0; axis < axes.shape[0]; axis += 1) {
@@ -23789,7 +24722,7 @@ array_double_2d cell, planner;
 int64_t status;
 double duration;
 cell = span_matrix(&cells, place * axes.shape[0] + axis);
-planner = span_rows(&work, 2, 410);
+planner = span_rows(&work, 786, 1194);
 set_shortest(&status, &duration, cell, span_row(&axes, axis), planner);
 if (status < 0) {
 return 0;
@@ -23821,14 +24754,14 @@ int64_t first;
 array_double_2d planner;
 double found;
 first = place * axes.shape[0];
-planner = span_rows(&work, 2, 410);
+planner = span_rows(&work, 786, 1194);
 found = common_duration(0.0, most, 0.0, first, first + axes.shape[0], axes, cells, planner);
 return found < 0.0 ? 1e+300 : found;
 }
 static bool meet_at(double duration, int64_t place, array_double_2d axes, array_double_3d cells, array_double_2d work) {
 array_double_2d planner, cell;
 int64_t axis;
-planner = span_rows(&work, 2, 410);
+planner = span_rows(&work, 786, 1194);
 for (axis = 0; axis < axes.shape[0]; axis += 1) {
 cell = span_matrix(&cells, place * axes.shape[0] + axis);
 if (!set_duration(duration, cell, span_row(&axes, axis), planner)) {
@@ -23853,20 +24786,15 @@ return span_min(total, 1e+300);
 }
 static double farthest_beyond(int64_t side, double low, double high, double first, array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
 array_double_2d expansion, hulls;
-int64_t count, row;
-double length, known;
+int64_t count;
+double result;
 *cspan_at(&cell, 68, 0) = first;
 *cspan_at(&cell, 68, 1) = 0.0;
-expansion = span_rows(&work, 410, 414);
+expansion = span_rows(&work, 1194, 1198);
 count = expand_cell(cell, axis, timing, coefficients, 0, expansion);
-hulls = span_rows(&work, 2, 410);
-known = 0.0;
-for (row = 0; row < count; row += 1) {
-write_room(side, row, 0.0, low, high, coefficients, hulls);
-length = *cspan_at(&timing, row, 1);
-known = greatest_lack(coefficients.shape[1], length, known, hulls);
-}
-return known;
+hulls = span_rows(&work, 786, 1194);
+result = pieces_beyond(side, low, high, count, timing, coefficients, hulls);
+return result;
 }
 static bool leaves_box(int64_t place, array_double_3d states, array_double_1d path, array_double_3d links, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d work) {
 int64_t axis, i, side;
@@ -27134,9 +28062,9 @@ int64_t wrong;
 if (segfmu_count_pieces(axes, cells) > timing.shape[0]) {
 return 1;
 }
-expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, 410, 414));
+expand_plan(states, dwells, axes, cells, timing, coefficients, offsets, times, span_rows(&work, 1194, 1198));
 judging = span_row(&work, 1);
-wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, *cspan_at(&judging, 0), *cspan_at(&judging, 1), span_rows(&work, 414, 462));
+wrong = check_plan(states, times, timing, coefficients, offsets, limits, lower, *cspan_at(&judging, 0), *cspan_at(&judging, 1), span_rows(&work, 1198, 1246));
 if (wrong > 0) {
 return -12;
 }
@@ -27145,12 +28073,13 @@ return 0;
 int64_t segfmu_plan_motion(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d work) {
 array_double_2d planner;
 int64_t status;
-planner = span_rows(&work, 2, 410);
+planner = span_rows(&work, 786, 1194);
 status = segfmu_check_problem(states, limits, span_row(&planner, 99));
 if (status == 0) {
 status = segfmu_plan_phases(states, dwells, limits, lower, span_row(&work, 0), axes, cells, planner);
 }
 if (status == 0) {
+stay_near(axes, cells, timing, coefficients, planner, span_rows(&work, 1194, 1198), span_rows(&work, 2, 786));
 status = segfmu_expand_motion(states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, work);
 }
 return status;

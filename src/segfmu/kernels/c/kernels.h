@@ -116,6 +116,8 @@ SEGFMU_API int64_t segfmu_find_leads(array_double_3d states, array_double_2d lim
 SEGFMU_API bool segfmu_find_brakes(array_double_2d start, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 SEGFMU_API double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
 SEGFMU_API int64_t segfmu_plan_phases(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_1d options, array_double_2d axes, array_double_3d cells, array_double_2d work);
+SEGFMU_API double segfmu_spline_share(bool highest, double duration, array_double_1d first, array_double_1d last, array_double_1d allowed, array_double_1d axis, array_double_2d work);
+SEGFMU_API int64_t segfmu_append_spline(double duration, array_double_1d first, array_double_1d last, array_double_2d timing, array_double_2d coefficients, int64_t row, array_double_1d state, array_double_2d work);
 SEGFMU_API int64_t segfmu_count_pieces(array_double_2d axes, array_double_3d cells);
 SEGFMU_API bool segfmu_judge_pieces(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, array_double_2d lead, array_double_2d spare_timing, array_double_2d spare_coefficients);
 SEGFMU_API int64_t segfmu_plan_onward(array_double_3d states, array_double_1d dwells, array_double_2d limits, array_double_2d lower, array_double_2d axes, array_double_3d cells, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d times, array_double_2d lead);

@@ -3275,7 +3275,7 @@ static PyObject *call_find_brake(
   && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
   && has_at_least(&call, "limits", 0, in_limits->shape[0], 1)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], 1)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3394,7 +3394,7 @@ static PyObject *call_find_leads(
   && has_at_least(&call, "plan_offsets", 0, in_plan_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "plan_timing", 1, in_plan_timing->shape[1], 2)
   && has_at_least(&call, "ends", 1, in_ends->shape[1], 7)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], ((in_plan_timing->shape[0] + (400 * in_states->shape[1])) + 1200))
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3447,7 +3447,7 @@ static PyObject *call_find_brakes(
   && has_extent(&call, "brakes", 0, in_brakes->shape[0], in_start->shape[0])
   && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
   && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1200)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
@@ -3546,6 +3546,90 @@ static PyObject *call_plan_phases(
  return answer;
 }
 
+static PyObject *call_spline_share(
+ PyObject *self, PyObject *const *values, Py_ssize_t count) {
+ arguments call = {.function = "spline_share", .values = values};
+ PyObject *answer = NULL;
+ bool in_highest;
+ double in_duration;
+ Py_buffer *in_first;
+ Py_buffer *in_last;
+ Py_buffer *in_allowed;
+ Py_buffer *in_axis;
+ Py_buffer *in_work;
+ (void)self;
+ if (take_count(&call, count, 7)
+  && take_bool(&call, 0, &in_highest)
+  && take_float(&call, 1, &in_duration)
+  && (in_first = take_array(&call, 2, 1, 'd', false)) != NULL
+  && (in_last = take_array(&call, 3, 1, 'd', false)) != NULL
+  && (in_allowed = take_array(&call, 4, 1, 'd', false)) != NULL
+  && (in_axis = take_array(&call, 5, 1, 'd', false)) != NULL
+  && (in_work = take_array(&call, 6, 2, 'd', true)) != NULL
+  && has_at_least(&call, "first", 0, in_first->shape[0], 8)
+  && has_at_least(&call, "last", 0, in_last->shape[0], 8)
+  && has_at_least(&call, "allowed", 0, in_allowed->shape[0], 2)
+  && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 784)
+  && has_at_least(&call, "work", 1, in_work->shape[1], 25)) {
+  answer = PyFloat_FromDouble(segfmu_spline_share(
+   in_highest,
+   in_duration,
+   (array_double_1d){in_first->buf, {in_first->shape[0]}},
+   (array_double_1d){in_last->buf, {in_last->shape[0]}},
+   (array_double_1d){in_allowed->buf, {in_allowed->shape[0]}},
+   (array_double_1d){in_axis->buf, {in_axis->shape[0]}},
+   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+ }
+ release_arguments(&call);
+ return answer;
+}
+
+static PyObject *call_append_spline(
+ PyObject *self, PyObject *const *values, Py_ssize_t count) {
+ arguments call = {.function = "append_spline", .values = values};
+ PyObject *answer = NULL;
+ double in_duration;
+ Py_buffer *in_first;
+ Py_buffer *in_last;
+ Py_buffer *in_timing;
+ Py_buffer *in_coefficients;
+ int64_t in_row;
+ Py_buffer *in_state;
+ Py_buffer *in_work;
+ (void)self;
+ if (take_count(&call, count, 8)
+  && take_float(&call, 0, &in_duration)
+  && (in_first = take_array(&call, 1, 1, 'd', false)) != NULL
+  && (in_last = take_array(&call, 2, 1, 'd', false)) != NULL
+  && (in_timing = take_array(&call, 3, 2, 'd', true)) != NULL
+  && (in_coefficients = take_array(&call, 4, 2, 'd', true)) != NULL
+  && take_int(&call, 5, &in_row)
+  && (in_state = take_array(&call, 6, 1, 'd', true)) != NULL
+  && (in_work = take_array(&call, 7, 2, 'd', true)) != NULL
+  && has_at_least(&call, "first", 0, in_first->shape[0], 8)
+  && has_at_least(&call, "last", 0, in_last->shape[0], 8)
+  && has_at_least(&call, "timing", 0, in_timing->shape[0], (in_row + 60))
+  && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
+  && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], (in_row + 60))
+  && has_at_least(&call, "state", 0, in_state->shape[0], 9)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 784)
+  && has_at_least(&call, "work", 1, in_work->shape[1], 25)
+  && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], ((2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]) - 2))) {
+  answer = PyLong_FromLongLong(segfmu_append_spline(
+   in_duration,
+   (array_double_1d){in_first->buf, {in_first->shape[0]}},
+   (array_double_1d){in_last->buf, {in_last->shape[0]}},
+   (array_double_2d){in_timing->buf, {in_timing->shape[0], in_timing->shape[1]}},
+   (array_double_2d){in_coefficients->buf, {in_coefficients->shape[0], in_coefficients->shape[1]}},
+   in_row,
+   (array_double_1d){in_state->buf, {in_state->shape[0]}},
+   (array_double_2d){in_work->buf, {in_work->shape[0], in_work->shape[1]}}));
+ }
+ release_arguments(&call);
+ return answer;
+}
+
 static PyObject *call_count_pieces(
  PyObject *self, PyObject *const *values, Py_ssize_t count) {
  arguments call = {.function = "count_pieces", .values = values};
@@ -3613,7 +3697,7 @@ static PyObject *call_judge_pieces(
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "lower", 1, in_lower->shape[1], 2)
   && has_at_least(&call, "brakes", 1, in_brakes->shape[1], 27)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "spare_timing", 0, in_spare_timing->shape[0], 1200)
   && has_at_least(&call, "spare_timing", 1, in_spare_timing->shape[1], 2)
@@ -3687,7 +3771,7 @@ static PyObject *call_plan_onward(
   && has_at_least(&call, "coefficients", 2, in_coefficients->shape[2], ((2 * in_limits->shape[1]) - 2))
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (4 * (in_states->shape[1] + 1)))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_dwells->shape[0] + 1))
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)) {
   answer = PyLong_FromLongLong(segfmu_plan_onward(
    (array_double_3d){in_states->buf, {in_states->shape[0], in_states->shape[1], in_states->shape[2]}},
@@ -3904,7 +3988,7 @@ static PyObject *call_operate(
   && has_at_least(&call, "cells", 0, in_cells->shape[0], 3)
   && has_at_least(&call, "cells", 1, in_cells->shape[1], 69)
   && has_at_least(&call, "cells", 2, in_cells->shape[2], 7)
-  && has_at_least(&call, "lead", 0, in_lead->shape[0], 528)
+  && has_at_least(&call, "lead", 0, in_lead->shape[0], 1312)
   && has_at_least(&call, "lead", 1, in_lead->shape[1], 50)
   && has_at_least(&call, "work", 0, in_work->shape[0], 169)
   && has_at_least(&call, "work", 1, in_work->shape[1], 102)
@@ -4136,7 +4220,7 @@ static PyObject *call_begin_choice(
   && has_at_least(&call, "spots", 0, in_spots->shape[0], (in_states->shape[0] * in_states->shape[1]))
   && has_at_least(&call, "spots", 1, in_spots->shape[1], 6)
   && has_at_least(&call, "spots", 2, in_spots->shape[2], 2)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 1246)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))) {
   answer = PyBool_FromLong(segfmu_begin_choice(
@@ -4230,7 +4314,7 @@ static PyObject *call_choose_passage(
   && has_at_least(&call, "timing", 0, in_timing->shape[0], 1620)
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "coefficients", 0, in_coefficients->shape[0], 1620)
-  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 1246)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
   segfmu_choose_passage(
@@ -5133,7 +5217,7 @@ static PyObject *call_plan_motion(
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 1246)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -5200,7 +5284,7 @@ static PyObject *call_expand_motion(
   && has_at_least(&call, "timing", 1, in_timing->shape[1], 2)
   && has_at_least(&call, "offsets", 0, in_offsets->shape[0], (in_states->shape[1] + 1))
   && has_at_least(&call, "times", 0, in_times->shape[0], (in_states->shape[0] + 1))
-  && has_at_least(&call, "work", 0, in_work->shape[0], 462)
+  && has_at_least(&call, "work", 0, in_work->shape[0], 1246)
   && has_at_least(&call, "work", 1, in_work->shape[1], 50)
   && has_at_least(&call, "limits", 1, in_limits->shape[1], (((double *)in_work->buf)[0 * in_work->shape[1] + 0] + 1))
   && has_at_least(&call, "coefficients", 1, in_coefficients->shape[1], (2 * ((double *)in_work->buf)[0 * in_work->shape[1] + 0]))) {
@@ -5330,6 +5414,8 @@ static PyMethodDef methods[] = {
  {"find_brakes", (PyCFunction)(void (*)(void))call_find_brakes, METH_FASTCALL, NULL},
  {"timed_profile", (PyCFunction)(void (*)(void))call_timed_profile, METH_FASTCALL, NULL},
  {"plan_phases", (PyCFunction)(void (*)(void))call_plan_phases, METH_FASTCALL, NULL},
+ {"spline_share", (PyCFunction)(void (*)(void))call_spline_share, METH_FASTCALL, NULL},
+ {"append_spline", (PyCFunction)(void (*)(void))call_append_spline, METH_FASTCALL, NULL},
  {"count_pieces", (PyCFunction)(void (*)(void))call_count_pieces, METH_FASTCALL, NULL},
  {"judge_pieces", (PyCFunction)(void (*)(void))call_judge_pieces, METH_FASTCALL, NULL},
  {"plan_onward", (PyCFunction)(void (*)(void))call_plan_onward, METH_FASTCALL, NULL},

@@ -104,6 +104,18 @@ def write_room(
     work[RopeWork.DEMAND, 0] = work[RopeWork.DEMAND, 0] + sign * edge
 
 
+def pieces_beyond(
+    side: int, low: float, high: float, count: int, timing: 'float[:,:]',
+    coefficients: 'float[:,:]', work: 'float[:,:]',
+) -> float:
+    """How far the first pieces leave a range [m] above (side 0) or below it (1)."""
+    known = 0.0
+    for row in range(count):
+        write_room(side, row, 0.0, low, high, coefficients, work)
+        known = greatest_lack(coefficients.shape[1], timing[row, Timing.LENGTH], known, work)
+    return known
+
+
 def greatest_lack(count: int, length: float, known: float, work: 'float[:,:]') -> float:
     """The greatest negative value of the row DEMAND on [0, length], or a known one above 0.
 

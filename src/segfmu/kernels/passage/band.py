@@ -4,37 +4,19 @@ band (2 k m, 4 k + 1): a row for each state, in the order of waypoint, axis and 
 are those of the matrix from the diagonal to the left, and the right-hand side in the last column.
 """
 
-from math import exp, sqrt
+from math import exp
 
+from segfmu.kernels.numerics.banded import band_factor, band_substitute
 from segfmu.kernels.passage.barrier import state_offset, write_variables
 from segfmu.kernels.passage.records import Free, GridColumn, Link, Outer, Path, Spot, Stretch
 
 
 def band_solve(band: 'float[:,:]') -> bool:
-    """Solve a banded system of a positive definite matrix, in place; False if it is none."""
+    """Solve the system, in place; False if its matrix is not positive definite."""
     width = band.shape[1] - 1
-    for i in range(band.shape[0]):
-        for j in range(max(0, i - width + 1), i + 1):
-            total = band[i, i - j]
-            for k in range(max(0, i - width + 1), j):
-                total = total - band[i, i - k] * band[j, j - k]
-            if i == j:
-                if not total > 0.0:
-                    return False
-                band[i, 0] = sqrt(total)
-            else:
-                band[i, i - j] = total / band[j, 0]
-    for i in range(band.shape[0]):
-        total = band[i, width]
-        for k in range(max(0, i - width + 1), i):
-            total = total - band[i, i - k] * band[k, width]
-        band[i, width] = total / band[i, 0]
-    for step in range(band.shape[0]):
-        i = band.shape[0] - 1 - step
-        total = band[i, width]
-        for k in range(i + 1, min(i + width, band.shape[0])):
-            total = total - band[k, k - i] * band[k, width]
-        band[i, width] = total / band[i, 0]
+    if not band_factor(width, 0, band):
+        return False
+    band_substitute(width, 0, width, band)
     return True
 
 

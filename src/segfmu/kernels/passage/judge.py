@@ -7,7 +7,7 @@ steeper ones would be those of the whole axis.
 
 from math import exp
 
-from segfmu.kernels.clearance.excursion import greatest_lack, write_room
+from segfmu.kernels.clearance.excursion import pieces_beyond
 from segfmu.kernels.numerics.numbers import EQUAL, NEVER
 from segfmu.kernels.passage.records import Link, Path, Stretch
 from segfmu.kernels.planner.intervals import common_duration, set_duration, set_shortest
@@ -17,7 +17,7 @@ from segfmu.kernels.planner.plan_axis import note_shortest
 from segfmu.kernels.planner.records import Cell, Interval, Place, PlanOptions, WaypointState
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.trajectory.expand import expand_cell
-from segfmu.kernels.trajectory.records import MotionWork, Timing
+from segfmu.kernels.trajectory.records import MotionWork
 
 # a profile keeps up with the path if it takes at most this much longer
 KEPT_UP = 1.005
@@ -111,12 +111,7 @@ def farthest_beyond(
     count = expand_cell(cell, axis, timing, coefficients, 0, expansion)
     # free between two plans
     hulls = work[MotionWork.PLAN:MotionWork.EXPANSION, :]
-    known = 0.0
-    for row in range(count):
-        write_room(side, row, 0.0, low, high, coefficients, hulls)
-        length = timing[row, Timing.LENGTH]
-        known = greatest_lack(coefficients.shape[1], length, known, hulls)
-    return known
+    return pieces_beyond(side, low, high, count, timing, coefficients, hulls)
 
 
 def leaves_box(

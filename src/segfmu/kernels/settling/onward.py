@@ -22,6 +22,7 @@ from segfmu.kernels.settling.records import (
     LeadWork,
     PlanPart,
 )
+from segfmu.kernels.spline.nearer import stay_near
 from segfmu.kernels.trajectory.check import check_braked_plan, check_plan
 from segfmu.kernels.trajectory.cut import join_plans
 from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
@@ -160,6 +161,13 @@ def plan_onward(
             states[points:last, :, :], dwells, limits, lower, lead[LeadWork.OPTIONS, :],
             axes[0:count, :], cells, lead[LeadWork.PLAN:LeadWork.EXPANSION, :],
         )
+        if status == PlanStatus.PLANNED:
+            stay_near(
+                axes[0:count, :], cells, timing[PlanPart.BEHIND, :, :],
+                coefficients[PlanPart.BEHIND, :, :], lead[LeadWork.PLAN:LeadWork.EXPANSION, :],
+                lead[LeadWork.EXPANSION:LeadWork.CHECK, :],
+                lead[LeadWork.SPLINE:LeadWork.PLAN, :],
+            )
     if status == PlanStatus.PLANNED:
         status = finish_plan(
             states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, lead

@@ -10,6 +10,7 @@ from segfmu.kernels.planner.records import (
     Problem,
 )
 from segfmu.kernels.records import Codes, Record, field
+from segfmu.kernels.spline.records import SplineWork
 from segfmu.kernels.trajectory.records import Brake, Check, Expansion, Judging
 
 
@@ -134,6 +135,7 @@ class LeadWork(Record):
     LOWER = field("its limits in the negative direction", of=Lower)
     CHAINS = field("the axis seen from its derivatives of order 0 .. 4, and work space", size=7,
                    of=Axis)
+    SPLINE = field("of splines", size=SplineWork.SIZE, of=SplineWork)
     PLAN = field("of the planner", size=PlanWork.SIZE, of=PlanWork)
     EXPANSION = field("of the expansion", size=Expansion.SIZE, of=Expansion)
     CHECK = field("of the check, to the end", size=Check.SIZE, of=Check)

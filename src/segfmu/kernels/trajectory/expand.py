@@ -6,7 +6,14 @@ their weights.
 
 from segfmu.kernels.numerics.numbers import LAST_DIGIT
 from segfmu.kernels.planner.nested import ramp_pieces
-from segfmu.kernels.planner.records import Cell, Interval, Place, Problem, WaypointState
+from segfmu.kernels.planner.records import (
+    Cell,
+    Interval,
+    Phase,
+    Place,
+    Problem,
+    WaypointState,
+)
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece, expand_phases
 from segfmu.kernels.trajectory.records import Expansion, Piece, PieceState, Spare, Timing
@@ -17,9 +24,9 @@ def count_pieces(axes: 'float[:,:]', cells: 'float[:,:,:]') -> int:
     total = Spare.ROWS + axes.shape[0] + cells.shape[0]
     each = ramp_pieces(axes[0, :])
     for i in range(cells.shape[0]):
-        phases = cells[i, Cell.RESULT, Interval.BELOW_COUNT]
-        phases = phases + cells[i, Cell.RESULT, Interval.ABOVE_COUNT]
-        total = total + each * int(phases)
+        for j in range(int(cells[i, Cell.RESULT, Interval.BELOW_COUNT])):
+            total = total + (1 if cells[i, Cell.BELOW + j, Phase.CHANGE] == 0.0 else each)
+        total = total + each * int(cells[i, Cell.RESULT, Interval.ABOVE_COUNT])
     return total
 
 
@@ -87,6 +94,17 @@ def merge_pieces(
     return row
 
 
+def begin_state(cell: 'float[:,:]', work: 'float[:,:]') -> None:
+    """Write the state at the start of a cell to the row STATE."""
+    state = work[Expansion.STATE, :]
+    for i in range(PieceState.SIZE):
+        state[i] = 0.0
+    state[PieceState.POSITION] = cell[Cell.PLACE, Place.POSITION]
+    state[PieceState.VELOCITY] = cell[Cell.PROBLEM, Problem.V]
+    state[PieceState.ACCELERATION] = cell[Cell.PROBLEM, Problem.A]
+    state[PieceState.TIME] = cell[Cell.PLACE, Place.START]
+
+
 def expand_profile(
     cell: 'float[:,:]',
     second: bool,
@@ -97,12 +115,7 @@ def expand_profile(
     work: 'float[:,:]',
 ) -> int:
     """Expand the first or the second profile of a cell; returns the row after its last piece."""
-    state = work[Expansion.STATE, :]
-    state[PieceState.POSITION] = cell[Cell.PLACE, Place.POSITION]
-    state[PieceState.VELOCITY] = cell[Cell.PROBLEM, Problem.V]
-    state[PieceState.ACCELERATION] = cell[Cell.PROBLEM, Problem.A]
-    state[PieceState.JERK] = 0.0
-    state[PieceState.TIME] = cell[Cell.PLACE, Place.START]
+    begin_state(cell, work)
     if second:
         count = int(cell[Cell.RESULT, Interval.ABOVE_COUNT])
         return expand_phases(
@@ -110,7 +123,7 @@ def expand_profile(
         )
     count = int(cell[Cell.RESULT, Interval.BELOW_COUNT])
     return expand_phases(
-        cell[Cell.BELOW:Cell.ABOVE, :], count, axis, timing, coefficients, row, work
+        cell[Cell.BELOW:Cell.PROBLEM, :], count, axis, timing, coefficients, row, work
     )
 
 

@@ -3,6 +3,7 @@
 from segfmu.kernels.planner.plan import plan_phases
 from segfmu.kernels.planner.problem import check_problem
 from segfmu.kernels.planner.records import PlanStatus, PlanWork
+from segfmu.kernels.spline.nearer import stay_near
 from segfmu.kernels.trajectory.check import check_plan
 from segfmu.kernels.trajectory.expand import count_pieces, expand_plan
 from segfmu.kernels.trajectory.records import Judging, MotionWork
@@ -35,6 +36,11 @@ def plan_motion(
             states, dwells, limits, lower, work[MotionWork.OPTIONS, :], axes, cells, planner
         )
     if status == PlanStatus.PLANNED:
+        stay_near(
+            axes, cells, timing, coefficients, planner,
+            work[MotionWork.EXPANSION:MotionWork.CHECK, :],
+            work[MotionWork.SPLINE:MotionWork.PLAN, :],
+        )
         status = expand_motion(
             states, dwells, limits, lower, axes, cells, timing, coefficients, offsets, times, work
         )

@@ -2,6 +2,7 @@
 
 from segfmu.kernels.planner.records import PlanOptions, PlanWork
 from segfmu.kernels.records import Codes, Record, field
+from segfmu.kernels.spline.records import SplineWork
 
 
 class Order(Codes):
@@ -104,6 +105,7 @@ class MotionWork(Record):
 
     OPTIONS = field("how to plan", of=PlanOptions)
     JUDGING = field("how to check the plan", of=Judging)
+    SPLINE = field("of splines", size=SplineWork.SIZE, of=SplineWork)
     PLAN = field("of the planner", size=PlanWork.SIZE, of=PlanWork)
     EXPANSION = field("of the expansion", size=Expansion.SIZE, of=Expansion)
     CHECK = field("of the check, to the end", size=Check.SIZE, of=Check)
