@@ -21,6 +21,8 @@ static void polynomial_shift(array_double_1d a, double offset, int64_t count);
 static void rope_pull(double gravity, int64_t width, array_double_2d work);
 static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
 static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
+static void polynomial_hull(array_double_1d values, int64_t count, double length);
+static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
@@ -44,6 +46,7 @@ static bool check_motion(int64_t axis, array_double_3d states, array_double_2d t
 static int64_t check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static int64_t check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
 static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
+static int64_t acceleration_range(double* result_0, double* result_1, int64_t axis, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values);
 static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double least_depth(void);
 static bool is_easy(int64_t demand, double lowest, double highest, double pull, double square, array_double_1d bounds);
@@ -52,8 +55,10 @@ static void interval_pieces(double time, double until, array_double_2d timing, a
 static double demand_bound(int64_t demand, array_double_1d bounds);
 static int64_t rope_demand(int64_t demand, array_double_1d bounds, int64_t width, array_double_2d work);
 static double first_negative(int64_t count, double length, array_double_2d work);
+static int64_t failed_demand(bool any_one, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work);
 static double worst_value(int64_t demand, double first, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
+static bool keeps_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report);
 static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span);
 static void begin_span(double time, double until, int64_t width, array_double_2d work, array_double_2d span);
 static void write_span_pull(double gravity, array_double_2d work, array_double_2d span);
@@ -71,8 +76,9 @@ static double pieces_beyond(int64_t side, double low, double high, int64_t count
 static void begin_range(int64_t axis, double least, double most, array_double_2d ranges);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
 static double lean_of(double pull, array_double_2d ranges);
+static int64_t carriage_range(double* result_0, double* result_1, int64_t axis, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values);
 static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work);
-static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges);
+static void span_ranges(int64_t part, double length, int64_t width, array_double_2d work, array_double_2d ranges);
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
 static bool is_any_near(int64_t part, array_double_2d boxes, array_double_2d ranges);
 static double touch_distance(array_double_2d ranges);
@@ -751,8 +757,8 @@ static void split_brake(double until, array_double_2d lead, array_double_2d timi
 static double time_inside(array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double level_limit(int64_t order, double side, array_double_2d lead);
 static double deepest_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
-static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double best_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static double level_time(int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void bring_highest(array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool bring_gently(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -764,6 +770,8 @@ static void keep_brake(bool whole, double steep, int64_t loose, array_double_1d 
 static void clip_reached(array_double_2d lead);
 static int64_t brake_within(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t best_steepness(double* result_0_0001, double* result_1, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static int64_t choose_limits(double* result_0, int64_t* result_1, double* result_2, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static void choose_gentle(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void write_end(int64_t last, array_double_2d timing, array_double_2d coefficients, array_double_1d end);
 static bool is_at_velocity(double velocity, array_double_1d limits, array_double_1d end);
@@ -801,6 +809,7 @@ static void search_levels(int64_t order, double found, array_double_1d limits, a
 static bool permits_levels(int64_t order, array_double_2d lead);
 static bool settled_end(int64_t row, int64_t last, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static void follow_plan(int64_t order, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
+static bool holds_target(array_double_2d lead);
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead);
 static bool goes_on_at_level(int64_t order, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
 static bool search_stages(int64_t order, double within_0001, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients);
@@ -956,6 +965,7 @@ static bool goes_apart(array_double_2d operation);
 static void choose_apart(double share, array_double_2d operation, array_double_3d limits, array_double_2d known);
 static double left_of_plan(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
 static bool goes_on(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
+static bool has_ended(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
 static void retry_later(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
 static int64_t most_newton(void);
 static double control_bound(int64_t demand, double sense, double share, double fallback, array_double_2d known);
@@ -998,7 +1008,7 @@ static void set_range(double centre, double radius, array_double_1d found);
 static void add_range(double share, array_double_1d a, array_double_1d found);
 static void add_range_product(double share, array_double_1d a, array_double_1d b, array_double_1d found);
 static void divide_range(array_double_1d a, array_double_1d b, array_double_1d found);
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found);
+static void write_hull(int64_t count, double radius, array_double_1d piece, array_double_1d found);
 static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static void write_slope(int64_t axis, array_double_2d reach);
 static void write_stretch(array_double_2d reach);
@@ -1056,6 +1066,9 @@ static bool is_hanging(array_double_1d command);
 static int64_t state_status(array_double_1d command);
 static void write_measured(array_double_2d operation, array_double_2d known, array_double_2d work);
 static bool takes_measured(array_double_2d operation, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work, array_double_3d stack);
+static double paced_share(int64_t order, double pace, double speed, double steepness);
+static bool keeps_reached(array_double_2d known, array_double_2d work);
+static bool keeps_through(double begin, double end, double pace, double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
 static void note_load(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_at(double pace, double speed, double steepness, array_double_2d limits, array_double_2d known, array_double_2d work);
 static double pace_within(double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work);
@@ -1071,7 +1084,7 @@ static bool is_prolonged(array_double_2d operation);
 static bool tells_rope(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d known);
 static void choose_ease(int64_t attempt, int64_t status, array_double_2d operation, array_double_2d limits, array_double_2d known, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_2d work);
 static bool keeps_blocked(array_double_2d operation);
-static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known);
+static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known, array_double_3d timing, array_int64_t_1d offsets);
 static bool is_nearly_full(int64_t attempt, array_double_2d operation);
 static bool keeps_stopping(int64_t attempt, array_double_2d operation);
 static bool is_passed_over(int64_t attempt, int64_t failed, bool going, array_double_2d operation, array_double_2d known);
@@ -1091,6 +1104,7 @@ static bool brake_anew(double elapsed, array_double_2d operation, array_double_2
 static void begin_swing(array_double_2d operation);
 static bool is_due(array_double_2d operation);
 static bool is_served(double elapsed, array_double_2d operation);
+static bool is_in_vain(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets);
 static bool renews(double elapsed, array_double_2d operation);
 static void write_variables(bool step, array_double_1d path, array_double_3d spots, array_double_3d links);
 static int64_t unit_of(double* result_0_0001, int64_t* result_1_0001, int64_t column, int64_t order, array_double_1d track);
@@ -1595,6 +1609,35 @@ return gravity - w_z;
 }
 return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
 }
+static void polynomial_hull(array_double_1d values, int64_t count, double length) {
+double scale;
+int64_t i, r, j;
+scale = 1.0;
+for (i = 1; i < count; i += 1) {
+scale = scale * (length * i / (count - i));
+*cspan_at(&values, i) = *cspan_at(&values, i) * scale;
+}
+for (r = 1; r < count; r += 1) {
+for (j = 0; j < count - r; j += 1) {
+i = count - 1 - j;
+*cspan_at(&values, i) = *cspan_at(&values, i) + *cspan_at(&values, i - 1);
+}
+}
+}
+static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length) {
+double least, most;
+int64_t i;
+polynomial_hull(values, count, length);
+least = *cspan_at(&values, 0);
+most = least;
+for (i = 1; i < count; i += 1) {
+least = span_min(least, *cspan_at(&values, i));
+most = span_max(most, *cspan_at(&values, i));
+}
+(*result_0) = least;
+(*result_1) = most;
+return 0;
+}
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last) {
 int64_t upper, middle, lower;
 lower = first;
@@ -2066,16 +2109,34 @@ most = span_max(most, *cspan_at(&work, 0, i));
 (*result_1) = most;
 return 0;
 }
+static int64_t acceleration_range(double* result_0, double* result_1, int64_t axis, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values) {
+int64_t width, piece, i;
+double lowest, highest, least, most;
+width = coefficients.shape[1];
+lowest = 1e+300;
+highest = -1e+300;
+for (piece = *cspan_at(&offsets, axis); piece < *cspan_at(&offsets, axis + 1); piece += 1) {
+for (i = 0; i < width - 2; i += 1) {
+*cspan_at(&values, i) = (i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2);
+}
+polynomial_bounds(&least, &most, values, width - 2, *cspan_at(&timing, piece, 1));
+lowest = span_min(lowest, least);
+highest = span_max(highest, most);
+}
+(*result_0) = lowest;
+(*result_1) = highest;
+return 0;
+}
 static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work) {
 double lowest, highest, least, most, pull, square, slope;
 int64_t axis;
 sum_range(&lowest, &highest, 2, 1.0, 0.0, timing, coefficients, offsets, work);
-sum_range(&least, &most, 2, 0.0, 1.0, timing, coefficients, offsets, work);
+acceleration_range(&least, &most, 2, timing, coefficients, offsets, span_row(&work, 0));
 pull = *cspan_at(&bounds, 0) + span_min(least, 0.0);
 square = 1.0;
 if (pull > 0.0) {
 for (axis = 0; axis < 2; axis += 1) {
-sum_range(&least, &most, axis, 0.0, 1.0, timing, coefficients, offsets, work);
+acceleration_range(&least, &most, axis, timing, coefficients, offsets, span_row(&work, 0));
 slope = span_max(-least, most) / pull;
 square = square + slope * slope;
 }
@@ -2228,6 +2289,50 @@ rows = rows + 1;
 }
 return -1.0;
 }
+static int64_t failed_demand(bool any_one, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report) {
+int64_t none, first, intervals, demand, count, failed;
+double lowest, highest, pull, square, time, until, share;
+none = 4 + 1;
+rope_ranges(&lowest, &highest, &pull, &square, timing, coefficients, offsets, bounds, work);
+first = 1;
+while((first < none) && is_easy(first, lowest, highest, pull, square, bounds)) {
+first = first + 1;
+}
+if (first == none) {
+return 0;
+}
+time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
+until = interval_end(time, timing, offsets);
+failed = none;
+intervals = 0;
+while((until > time) || (intervals == 0)) {
+intervals = intervals + 1;
+interval_pieces(time, until, timing, coefficients, offsets, *cspan_at(&bounds, 0), work);
+for (demand = first; demand < failed; demand += 1) {
+if (is_easy(demand, lowest, highest, pull, square, bounds)) {
+continue;
+}
+count = rope_demand(demand, bounds, coefficients.shape[1], work);
+if (count > 0) {
+share = first_negative(count, until - time, work);
+if (share >= 0.0) {
+failed = demand;
+*cspan_at(&report, 0) = time + share * (until - time);
+break;
+}
+}
+}
+if (any_one && (failed < none)) {
+break;
+}
+time = until;
+until = interval_end(time, timing, offsets);
+}
+if (failed == none) {
+return 0;
+}
+return failed;
+}
 static double value_at(int64_t demand, double local, double gravity, int64_t width, array_double_2d work) {
 double z, w_x, w_y, w_z;
 z = evaluate_piece(work, 0 + 2, width, local, 0);
@@ -2264,47 +2369,19 @@ until = interval_end(time, timing, offsets);
 return sign * worst;
 }
 int64_t segfmu_check_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report) {
-int64_t none, first, intervals, demand, count, failed;
-double lowest, highest, pull, square, time, until, share;
-none = 4 + 1;
-rope_ranges(&lowest, &highest, &pull, &square, timing, coefficients, offsets, bounds, work);
-first = 1;
-while((first < none) && is_easy(first, lowest, highest, pull, square, bounds)) {
-first = first + 1;
-}
-if (first == none) {
-return 0;
-}
-time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
-until = interval_end(time, timing, offsets);
-failed = none;
-intervals = 0;
-while((until > time) || (intervals == 0)) {
-intervals = intervals + 1;
-interval_pieces(time, until, timing, coefficients, offsets, *cspan_at(&bounds, 0), work);
-for (demand = first; demand < failed; demand += 1) {
-if (is_easy(demand, lowest, highest, pull, square, bounds)) {
-continue;
-}
-count = rope_demand(demand, bounds, coefficients.shape[1], work);
-if (count > 0) {
-share = first_negative(count, until - time, work);
-if (share >= 0.0) {
-failed = demand;
-*cspan_at(&report, 0) = time + share * (until - time);
-break;
-}
-}
-}
-time = until;
-until = interval_end(time, timing, offsets);
-}
-if (failed == none) {
+int64_t failed;
+failed = failed_demand(0, timing, coefficients, offsets, bounds, work, report);
+if (failed == 0) {
 return 0;
 }
 *cspan_at(&report, 1) = worst_value(failed, *cspan_at(&report, 0), timing, coefficients, offsets, bounds, work);
 *cspan_at(&report, 2) = demand_bound(failed, bounds);
 return failed;
+}
+static bool keeps_rope(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work, array_double_1d report) {
+int64_t failed;
+failed = failed_demand(1, timing, coefficients, offsets, bounds, work, report);
+return failed == 0;
 }
 static void write_row(int64_t source, int64_t count, double length, int64_t row, array_double_2d work, array_double_2d span) {
 int64_t columns, i;
@@ -2658,6 +2735,28 @@ return -1.0;
 result = span_max(-*cspan_at(&ranges, 0, 2), 0.0) / pull;
 return result;
 }
+static int64_t carriage_range(double* result_0, double* result_1, int64_t axis, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values) {
+int64_t width, piece, i;
+double lowest, highest, ahead, least, most;
+width = coefficients.shape[1];
+lowest = 1e+300;
+highest = -1e+300;
+for (piece = *cspan_at(&offsets, axis); piece < *cspan_at(&offsets, axis + 1); piece += 1) {
+for (i = 0; i < width; i += 1) {
+*cspan_at(&values, i) = *cspan_at(&coefficients, piece, i);
+}
+for (i = 0; i < width - 2; i += 1) {
+ahead = lean * ((i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2));
+*cspan_at(&values, i) = *cspan_at(&values, i) + ahead;
+}
+polynomial_bounds(&least, &most, values, width, *cspan_at(&timing, piece, 1));
+lowest = span_min(lowest, least);
+highest = span_max(highest, most);
+}
+(*result_0) = lowest;
+(*result_1) = highest;
+return 0;
+}
 void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges) {
 int64_t axis;
 double least, most, lean;
@@ -2665,38 +2764,33 @@ for (axis = 0; axis < 3; axis += 1) {
 sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
 begin_range(axis, least, most, ranges);
 }
-sum_range(&least, &most, 2, 0.0, 1.0, timing, coefficients, offsets, work);
+acceleration_range(&least, &most, 2, timing, coefficients, offsets, span_row(&work, 0));
 lean = lean_of(gravity + least, ranges);
 if (lean < 0.0) {
 return;
 }
 for (axis = 0; axis < 2; axis += 1) {
-sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, work);
+carriage_range(&least, &most, axis, lean, timing, coefficients, offsets, span_row(&work, 0));
 widen_range(2, axis, least, most, ranges);
 }
 }
 static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work) {
-array_double_2d hull;
-double least, most;
 int64_t i;
-hull = span_rows(&work, 6, 7);
-bernstein_coefficients(work, row, count, length, hull);
-least = *cspan_at(&hull, 0, 0);
-most = least;
-for (i = 1; i < count; i += 1) {
-least = span_min(least, *cspan_at(&hull, 0, i));
-most = span_max(most, *cspan_at(&hull, 0, i));
+for (i = 0; i < count; i += 1) {
+*cspan_at(&work, 6, i) = *cspan_at(&work, row, i);
 }
-(*result_0) = least;
-(*result_1) = most;
+polynomial_bounds(result_0, result_1, span_row(&work, 6), count, length);
 return 0;
 }
-static void span_ranges(double length, int64_t width, array_double_2d work, array_double_2d ranges) {
+static void span_ranges(int64_t part, double length, int64_t width, array_double_2d work, array_double_2d ranges) {
 int64_t axis, i;
 double least, most, pull, lean, ahead;
 for (axis = 0; axis < 3; axis += 1) {
 row_bounds(&least, &most, 0 + axis, width, length, work);
 begin_range(axis, least, most, ranges);
+}
+if (part == 1) {
+return;
 }
 row_bounds(&pull, &most, 3 + 2, width - 2, length, work);
 lean = lean_of(pull, ranges);
@@ -2819,7 +2913,7 @@ lasts = 1;
 while(lasts) {
 begun = *cspan_at(&report, 0) < 1e+300;
 interval_pieces(time, until, timing, coefficients, offsets, gravity, work);
-span_ranges(until - time, coefficients.shape[1], work, ranges);
+span_ranges(part, until - time, coefficients.shape[1], work, ranges);
 if (begun || is_any_near(part, boxes, ranges)) {
 span = span_matrix(&stack, 42);
 begin_span(time, until, coefficients.shape[1], work, span);
@@ -17425,18 +17519,18 @@ return result;
 static int64_t part_hull(int64_t order, int64_t row, double start, double length, array_double_2d lead, array_double_2d coefficients) {
 array_double_2d check;
 int64_t width;
-array_double_1d values;
+array_double_1d hull;
 check = span_rows(&lead, 1264, 1312);
 width = coefficients.shape[1];
 while((width > order + 1) && (*cspan_at(&coefficients, row, width - 1) == 0.0)) {
 width = width - 1;
 }
-values = span_row(&check, 43);
-polynomial_differentiate(span_row(&coefficients, row), width, order, values);
+hull = span_row(&check, 0);
+polynomial_differentiate(span_row(&coefficients, row), width, order, hull);
 if (start > 0.0) {
-polynomial_shift(values, start, width - order);
+polynomial_shift(hull, start, width - order);
 }
-bernstein_coefficients(check, 43, width - order, length, check);
+polynomial_hull(hull, width - order, length);
 return width - order;
 }
 static bool is_hull_inside(int64_t count, double low, double high, array_double_2d lead) {
@@ -17469,14 +17563,28 @@ return 0;
 return 1;
 }
 static double time_crossed(int64_t order, int64_t row, double lower, double upper, array_double_2d lead, array_double_2d coefficients) {
-int64_t k;
-double middle, value;
+array_double_1d values;
+int64_t count, k, i;
+double near, middle, value;
+values = span_row(&lead, 1264 + 43);
+count = coefficients.shape[1] - order;
+polynomial_differentiate(span_row(&coefficients, row), coefficients.shape[1], order, values);
+while((count > 1) && (*cspan_at(&values, count - 1) == 0.0)) {
+count = count - 1;
+}
+near = 0.0;
+if (*cspan_at(&lead, 0, 6) > 0.5) {
+near = 1e-10 * (upper + *cspan_at(&lead, 9, 8));
+}
 for (k = 0; k < 100; k += 1) {
 middle = 0.5 * (lower + upper);
-if ((middle == lower) || (middle == upper)) {
+if ((middle == lower) || (middle == upper) || (upper - lower < near)) {
 break;
 }
-value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order);
+value = 0.0;
+for (i = 0; i < count; i += 1) {
+value = value * middle + *cspan_at(&values, count - 1 - i);
+}
 if (outside_by(value, order, lead) > 0.0) {
 lower = middle;
 }
@@ -17784,7 +17892,7 @@ level = other;
 }
 return level * edge;
 }
-static int64_t best_level(double* result_0, double* result_1, int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
+static double best_level(int64_t order, double side, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 double level, time;
 int64_t i;
 level = level_limit(order, side, lead);
@@ -17795,9 +17903,7 @@ time = try_brake(order, side, level, settled, lead, timing, coefficients);
 }
 for (i = 0; i < 6; i += 1) {
 if ((0.0 <= time) && (time < 1e+300)) {
-(*result_0) = time;
-(*result_1) = level;
-return 0;
+return time;
 }
 level = i == 5 ? 0.0 : 0.5 * level;
 time = try_brake(order, side, level, settled, lead, timing, coefficients);
@@ -17805,23 +17911,19 @@ time = try_brake(order, side, level, settled, lead, timing, coefficients);
 if (time < 0.0) {
 time = 1e+300;
 }
-(*result_0) = time;
-(*result_1) = level;
-return 0;
+return time;
 }
-static int64_t level_time(double* result_0, double* result_1, int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
+static double level_time(int64_t order, double side, double gentle, bool settled, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 double level, time;
 if (gentle > 0.0) {
 level = (1.0 - gentle) * level_limit(order, side, lead);
 time = try_brake(order, side, level, settled, lead, timing, coefficients);
 if ((time >= 0.0) && (time < 1e+300)) {
-(*result_0) = time;
-(*result_1) = level;
-return 0;
+return time;
 }
 }
-best_level(result_0, result_1, order, side, settled, lead, timing, coefficients);
-return 0;
+time = best_level(order, side, settled, lead, timing, coefficients);
+return time;
 }
 static double side_beyond(int64_t order, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d state, reached;
@@ -17900,7 +18002,7 @@ return 1;
 }
 static bool bring_inside(int64_t order, bool whole, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d report, reached;
-double gentle, side, time, level, start, low;
+double gentle, side, time, start, low;
 bool settled;
 int64_t i;
 report = span_row(&lead, 14);
@@ -17915,7 +18017,6 @@ if ((side == 0.0) && (!whole)) {
 return 1;
 }
 time = 1e+300;
-level = 0.0;
 settled = 0;
 for (i = 0; i < 2; i += 1) {
 if (time >= 1e+300) {
@@ -17924,7 +18025,7 @@ if (side == 0.0) {
 time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients);
 }
 else {
-level_time(&time, &level, order, side, gentle, settled, lead, timing, coefficients);
+time = level_time(order, side, gentle, settled, lead, timing, coefficients);
 }
 }
 }
@@ -17932,9 +18033,6 @@ if (time >= 1e+300) {
 return 0;
 }
 start = *cspan_at(&reached, 8);
-if (side != 0.0) {
-try_brake(order, side, level, settled, lead, timing, coefficients);
-}
 if (time > start) {
 *cspan_at(&report, 0) = time;
 *cspan_at(&lead, 11, order) = time;
@@ -17993,10 +18091,10 @@ return -1;
 }
 static void keep_brake(bool whole, double steep, int64_t loose, array_double_1d limits, array_double_2d lead) {
 int64_t row, i;
-row = 3 + (int64_t)(*cspan_at(&lead, 0, 6));
-*cspan_at(&lead, 0, 6) = 0.0;
+row = 3 + (int64_t)(*cspan_at(&lead, 0, 7));
+*cspan_at(&lead, 0, 7) = 0.0;
 if (row + 1 < 7) {
-*cspan_at(&lead, 0, 6) = row + 1 - 3;
+*cspan_at(&lead, 0, 7) = row + 1 - 3;
 }
 *cspan_at(&lead, row, 0) = kind_of(whole, limits);
 *cspan_at(&lead, row, 17) = steep;
@@ -18086,17 +18184,19 @@ steep = 10.0 * steep;
 (*result_1) = best;
 return 0;
 }
-static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
+static int64_t choose_limits(double* result_0, int64_t* result_1, double* result_2, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 array_double_1d report;
-int64_t smoothness, loose, i, order, count;
-double chosen, best, steep, until, inside, gentle;
+int64_t smoothness, loose, i, order;
+double chosen, best, steep, until;
 report = span_row(&lead, 14);
 smoothness = limits.shape[0] - 1;
 loose = smoothness + 1;
 best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
 if (best == 0.0) {
-count = (int64_t)(*cspan_at(&report, 1));
-return count;
+(*result_0) = chosen;
+(*result_1) = loose;
+(*result_2) = best;
+return 0;
 }
 for (i = 0; i < smoothness - 2; i += 1) {
 order = smoothness - i;
@@ -18113,29 +18213,57 @@ if ((chosen == 0.0) && (smoothness > 2)) {
 *cspan_at(&report, 3 + 2) = 0.5;
 best_steepness(&chosen, &best, loose, whole, limits, lead, timing, coefficients);
 }
-if (chosen == 0.0) {
-keep_brake(whole, chosen, loose, limits, lead);
-return -1;
+(*result_0) = chosen;
+(*result_1) = loose;
+(*result_2) = best;
+return 0;
 }
-count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+static void choose_gentle(double steep, int64_t loose, bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
+array_double_1d report;
+int64_t smoothness, order, i, count;
+double best, inside, gentle;
+report = span_row(&lead, 14);
+smoothness = limits.shape[0] - 1;
+brake_within(steep, loose, whole, limits, lead, timing, coefficients);
+best = *cspan_at(&report, 0);
 for (order = 2; order < smoothness; order += 1) {
 inside = *cspan_at(&lead, 11, order);
 gentle = *cspan_at(&report, 3 + order);
 if ((0.0 < inside) && (inside < *cspan_at(&report, 0))) {
 for (i = 1; i < 5; i += 1) {
 *cspan_at(&report, 3 + order) = 0.25 * i;
-count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+count = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
 if ((count > 0) && (*cspan_at(&report, 0) < (1.0 - 0.001) * best)) {
 best = *cspan_at(&report, 0);
 gentle = *cspan_at(&report, 3 + order);
 }
 }
 *cspan_at(&report, 3 + order) = gentle;
-count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients);
+if ((gentle < 1.0) && (order + 1 < smoothness)) {
+brake_within(steep, loose, whole, limits, lead, timing, coefficients);
 }
 }
-keep_brake(whole, chosen, loose, limits, lead);
-return count;
+}
+}
+static int64_t choose_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
+double steep, until;
+int64_t loose, result;
+*cspan_at(&lead, 0, 6) = 1.0;
+choose_limits(&steep, &loose, &until, whole, limits, lead, timing, coefficients);
+if ((steep > 0.0) && (until > 0.0)) {
+choose_gentle(steep, loose, whole, limits, lead, timing, coefficients);
+}
+*cspan_at(&lead, 0, 6) = 0.0;
+if (until == 0.0) {
+result = (int64_t)(*cspan_at(&lead, 14, 1));
+return result;
+}
+keep_brake(whole, steep, loose, limits, lead);
+if (steep == 0.0) {
+return -1;
+}
+result = brake_within(steep, loose, whole, limits, lead, timing, coefficients);
+return result;
 }
 int64_t segfmu_find_brake(bool whole, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 int64_t smoothness, kept, i, first, row, i_0001, count;
@@ -18786,6 +18914,18 @@ try_lead(order, place + 1, limits, lead, timing, coefficients);
 }
 }
 }
+static bool holds_target(array_double_2d lead) {
+int64_t i;
+if (*cspan_at(&lead, 7, 0 + 1) != *cspan_at(&lead, 24, 2)) {
+return 0;
+}
+for (i = 2; i < 9 - 1; i += 1) {
+if (*cspan_at(&lead, 7, i) != 0.0) {
+return 0;
+}
+}
+return 1;
+}
 static bool start_search(int64_t shape, array_double_1d limits, array_double_2d lead) {
 int64_t i, i_0001;
 segfmu_axis_limits(limits.shape[0] - 1, shape, limits, span_row(&lead, 59));
@@ -18891,7 +19031,7 @@ prepend_brake(steps, lead, timing, coefficients);
 }
 static bool find_lead(int64_t order, double within_0001, int64_t axis, array_int64_t_1d plan_offsets, array_double_2d plan_timing, array_double_2d plan_coefficients, array_double_1d limits, array_double_2d lead, array_double_2d timing, array_double_2d coefficients) {
 bool brakes, result;
-int64_t smoothness, shape;
+int64_t smoothness, shape, i;
 *cspan_at(&lead, 23, 0) = -1.0;
 *cspan_at(&lead, 23, 1) = 0.0;
 *cspan_at(&lead, 23, 3) = 1.0;
@@ -18899,6 +19039,15 @@ brakes = *cspan_at(&lead, 0, 3) != 0.0;
 smoothness = limits.shape[0] - 1;
 if ((axis < 0) || (smoothness < 2) || (smoothness > 6) || (coefficients.shape[1] != 2 * smoothness)) {
 return 0;
+}
+if ((order == 1) && holds_target(lead)) {
+if ((!brakes) || (!is_outside(limits, lead))) {
+for (i = 0; i < lead.shape[1]; i += 1) {
+*cspan_at(&lead, 18, i) = *cspan_at(&lead, 7, i);
+}
+*cspan_at(&lead, 23, 0) = 0.0;
+return 1;
+}
 }
 shape = (int64_t)(*cspan_at(&lead, 0, 2));
 if ((!brakes) || (!is_outside(limits, lead))) {
@@ -21962,6 +22111,11 @@ return 0;
 result = left_of_plan(operation, timing, offsets) > 0.0;
 return result;
 }
+static bool has_ended(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
+bool result;
+result = !(left_of_plan(operation, timing, offsets) > 0.0);
+return result;
+}
 static void retry_later(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
 array_double_1d progress;
 double later;
@@ -22671,26 +22825,23 @@ least = *cspan_at(&b, 0) - *cspan_at(&b, 1);
 *cspan_at(&found, 1) = (*cspan_at(&a, 1) + fabs(quotient) * *cspan_at(&b, 1)) / least;
 *cspan_at(&found, 0) = quotient;
 }
-static void write_derivative(int64_t order, int64_t width, double radius, array_double_1d piece, array_double_1d found) {
+static void write_hull(int64_t count, double radius, array_double_1d piece, array_double_1d found) {
 double total, value;
-int64_t used, j, i, k;
+int64_t j;
 total = 0.0;
+if (radius > 0.0) {
+for (j = 0; j < count - 1; j += 1) {
+total = (total + fabs(*cspan_at(&piece, count - 1 - j))) * radius;
+}
+}
 value = 0.0;
-used = radius > 0.0 ? width : order + 1;
-for (j = 0; j < used - order; j += 1) {
-i = used - 1 - j;
-value = *cspan_at(&piece, i);
-for (k = 0; k < order; k += 1) {
-value = value * (i - k);
-}
-if (i > order) {
-total = (total + fabs(value)) * radius;
-}
+if (count > 0) {
+value = *cspan_at(&piece, 0);
 }
 set_range(value, total, found);
 }
 static void write_load(double begin, double end, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-int64_t width, axis, last, row, i, order, place;
+int64_t width, axis, last, row, count, i, order, place;
 double middle, radius, local;
 array_double_1d piece;
 width = coefficients.shape[1];
@@ -22700,22 +22851,28 @@ piece = span_row(&work, 88);
 for (axis = 0; axis < 3; axis += 1) {
 last = *cspan_at(&offsets, axis + 1);
 row = find_piece(middle, timing, *cspan_at(&offsets, axis), last);
-for (i = 0; i < width; i += 1) {
-*cspan_at(&piece, i) = *cspan_at(&coefficients, row, i);
-}
 local = middle - *cspan_at(&timing, row, 0);
+count = 1;
 if (local > *cspan_at(&timing, row, 1)) {
 *cspan_at(&piece, 0) = evaluate_piece(coefficients, row, width, *cspan_at(&timing, row, 1), 0);
-for (i = 1; i < width; i += 1) {
-*cspan_at(&piece, i) = 0.0;
-}
 }
 else {
-polynomial_shift(piece, local, width);
+count = width;
+while((count > 1) && (*cspan_at(&coefficients, row, count - 1) == 0.0)) {
+count = count - 1;
+}
+for (i = 0; i < count; i += 1) {
+*cspan_at(&piece, i) = *cspan_at(&coefficients, row, i);
+}
+polynomial_shift(piece, local, count);
 }
 for (order = 0; order < 5; order += 1) {
 place = 89 + 0 + 3 * order + axis;
-write_derivative(order, width, radius, piece, span_row(&work, place));
+write_hull(count, radius, piece, span_row(&work, place));
+for (i = 1; i < count; i += 1) {
+*cspan_at(&piece, i - 1) = i * *cspan_at(&piece, i);
+}
+count = span_max_int(count - 1, 0);
 }
 }
 }
@@ -22962,7 +23119,7 @@ int64_t first, contact;
 array_int64_t_1d pieces;
 first = 4 * 4;
 pieces = span_part(&offsets, first, first + 4);
-if (segfmu_check_rope(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 1), span_rows(&work, 0, 52), span_row(&work, 80)) != 0) {
+if (!keeps_rope(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 1), span_rows(&work, 0, 52), span_row(&work, 80))) {
 return 3;
 }
 contact = segfmu_space_contact(span_matrix(&timing, 4), span_matrix(&coefficients, 4), pieces, span_row(&known, 4), span_rows(&known, 9, 25), span_rows(&work, 52, 74), span_rows(&work, 0, 52), stack, span_rows(&work, 74, 80), 0, span_row(&work, 80));
@@ -23459,7 +23616,7 @@ for (i = 0; i < 102; i += 1) {
 *cspan_at(&swing, 0) = 0.0;
 *cspan_at(&swing, 31) = *cspan_at(&command, 0) + plan_end(0, 0, timing, offsets);
 *cspan_at(&progress, 0) = *cspan_at(&command, 0);
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
 *cspan_at(&progress, 3) = 0.0;
 *cspan_at(&progress, 12) = 0.0;
 for (i = 0; i < 5; i += 1) {
@@ -23479,7 +23636,7 @@ progress = span_row(&operation, 4);
 aim = span_row(&operation, 1);
 radian = 20.0 * resolved_step(*cspan_at(&known, 0, 3), span_row(&operation, 32));
 retry = *cspan_at(&operation, 0, 0) + radian;
-*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
+*cspan_at(&progress, 17) = *cspan_at(&progress, 17) + 1.0;
 status = plan_calm(operation, known, timing, coefficients, offsets, work, stack);
 if (status != 0) {
 *cspan_at(&progress, 2) = status;
@@ -23623,7 +23780,7 @@ array_double_1d progress;
 double retry;
 int64_t refused;
 progress = span_row(&operation, 4);
-*cspan_at(&progress, 17) = *cspan_at(&operation, 0, 20);
+*cspan_at(&progress, 18) = *cspan_at(&operation, 0, 20);
 refused = state_status(span_row(&operation, 0));
 if (refused != 0) {
 *cspan_at(&progress, 1) = refused;
@@ -23651,13 +23808,67 @@ if (wanted_mode(command) == 5) {
 return 0;
 }
 if (!(*cspan_at(&command, 20) > 0.5)) {
-*cspan_at(&progress, 17) = 0.0;
+*cspan_at(&progress, 18) = 0.0;
 return 0;
 }
-if (*cspan_at(&progress, 17) > 0.5) {
+if (*cspan_at(&progress, 18) > 0.5) {
 return 0;
 }
 result = segfmu_take_over_measured(operation, known, timing, coefficients, offsets, work, stack) == 0;
+return result;
+}
+static double paced_share(int64_t order, double pace, double speed, double steepness) {
+double power;
+int64_t i;
+if ((order == 1) && (speed > 0.0)) {
+return speed;
+}
+power = pace;
+for (i = 1; i < order; i += 1) {
+power = power * pace;
+if (i > 1) {
+power = power * steepness;
+}
+}
+return power;
+}
+static bool keeps_reached(array_double_2d known, array_double_2d work) {
+double longest, length;
+array_double_1d rope;
+bool result;
+if (!write_demands(span_row(&known, 0), work)) {
+return 0;
+}
+longest = *cspan_at(&known, 1, 2);
+rope = span_row(&work, 89 + 27 + 12 + 2);
+length = *cspan_at(&rope, 0) + *cspan_at(&rope, 1);
+if ((longest > 0.0) && (length > longest * (1.0 + 1e-09))) {
+return 0;
+}
+result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
+return result;
+}
+static bool keeps_through(double begin, double end, double pace, double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
+int64_t order, axis, place, i;
+double share;
+bool result;
+order = 3;
+for (axis = 0; axis < 3; axis += 1) {
+if (!(*cspan_at(&limits, axis, order) > 0.0)) {
+return 0;
+}
+}
+write_load(begin, end, timing, coefficients, offsets, work);
+for (order = 1; order < 5; order += 1) {
+share = paced_share(order, pace, speed, steepness);
+for (axis = 0; axis < 3; axis += 1) {
+place = 89 + 0 + 3 * order + axis;
+for (i = 0; i < 2; i += 1) {
+*cspan_at(&work, place, i) = share * *cspan_at(&work, place, i);
+}
+}
+}
+result = keeps_reached(known, work);
 return result;
 }
 static void note_load(double time, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
@@ -23671,15 +23882,11 @@ place = 89 + 0 + 3 * order + axis;
 }
 }
 static bool keeps_at(double pace, double speed, double steepness, array_double_2d limits, array_double_2d known, array_double_2d work) {
-double power, share, value, most, longest, length;
 int64_t order, axis, place;
+double share, value, most;
 bool result;
-power = pace;
 for (order = 1; order < 5; order += 1) {
-share = power;
-if ((order == 1) && (speed > 0.0)) {
-share = speed;
-}
+share = paced_share(order, pace, speed, steepness);
 for (axis = 0; axis < 3; axis += 1) {
 place = 89 + 0 + 3 * order + axis;
 value = *cspan_at(&work, 161 + order, axis);
@@ -23689,30 +23896,22 @@ value = span_min(span_max(value, -most), most);
 }
 *cspan_at(&work, place, 0) = share * value;
 }
-power = power * pace;
-if (order > 1) {
-power = power * steepness;
 }
-}
-if (!write_demands(span_row(&known, 0), work)) {
-return 0;
-}
-longest = *cspan_at(&known, 1, 2);
-length = *cspan_at(&work, 89 + 27 + 12 + 2, 0);
-if ((longest > 0.0) && (length > longest * (1.0 + 1e-09))) {
-return 0;
-}
-result = judge_reach(0, 17, span_row(&known, 2), work) > 0;
+result = keeps_reached(known, work);
 return result;
 }
 static double pace_within(double speed, double steepness, array_double_2d limits, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d known, array_double_2d work) {
 double time, until, at, low, tried, pace;
-int64_t k, i;
+int64_t samples, k, i;
 pace = 1.0;
 time = (*cspan_at(&timing, *cspan_at(&offsets, 0), 0));
 until = interval_end(time, timing, offsets);
 while(until > time) {
-for (k = 0; k < 4; k += 1) {
+samples = 4;
+if (keeps_through(time, until, pace, speed, steepness, limits, timing, coefficients, offsets, known, work)) {
+samples = 0;
+}
+for (k = 0; k < samples; k += 1) {
 at = time + (until - time) * k / 4;
 note_load(at, timing, coefficients, offsets, work);
 low = 1.0;
@@ -23948,7 +24147,7 @@ return 0;
 result = !rests_short(operation);
 return result;
 }
-static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known) {
+static int64_t first_attempt(int64_t* result_0_0001, int64_t* result_1_0001, array_double_2d operation, array_double_2d known, array_double_3d timing, array_int64_t_1d offsets) {
 array_double_1d progress;
 int64_t following;
 progress = span_row(&operation, 4);
@@ -23960,7 +24159,11 @@ if (following > 0) {
 return 0;
 }
 open_ways(operation, known);
-*cspan_at(&progress, 14) = 0.0;
+*cspan_at(&progress, 14) = -1.0;
+if (has_ended(operation, timing, offsets)) {
+*cspan_at(&progress, 14) = *cspan_at(&operation, 0, 1);
+}
+*cspan_at(&progress, 15) = 0.0;
 *cspan_at(&progress, 8) = 1.0;
 *cspan_at(&progress, 9) = 0.0;
 (*result_0_0001) = 0;
@@ -24054,7 +24257,7 @@ if (is_apart(attempt, operation)) {
 return 1;
 }
 if (attempt <= 3) {
-if (*cspan_at(&operation, 4, 14) > 0.0) {
+if (*cspan_at(&operation, 4, 15) > 0.0) {
 return 11;
 }
 return 0;
@@ -24098,7 +24301,7 @@ for (i = 0; i < 4; i += 1) {
 }
 keep_ways(operation);
 *cspan_at(&progress, 0) = *cspan_at(&operation, 0, 0);
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
 *cspan_at(&progress, 1) = 0;
 if ((attempt > 0) || is_slowed(operation)) {
 *cspan_at(&progress, 1) = 1;
@@ -24114,13 +24317,13 @@ progress = span_row(&operation, 4);
 if ((attempt >= 7) || (*cspan_at(&operation, 1, 0) > 0.5)) {
 return 0;
 }
-if (!(*cspan_at(&progress, 14) < 3.0)) {
+if (!(*cspan_at(&progress, 15) < 3.0)) {
 return 0;
 }
 if (!end_before_obstacle(operation, known, work)) {
 return 0;
 }
-*cspan_at(&progress, 14) = *cspan_at(&progress, 14) + 1.0;
+*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
 return 1;
 }
 static bool holds_until_next(array_double_2d operation) {
@@ -24140,7 +24343,7 @@ copy_plan(1, 4, timing, coefficients, offsets);
 if (!prolong_holds(elapsed, operation, timing, coefficients, offsets)) {
 return 0;
 }
-*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
+*cspan_at(&progress, 17) = *cspan_at(&progress, 17) + 1.0;
 status = prove_plan(operation, limits, known, timing, coefficients, offsets, states, lead, work, stack);
 if (status != 0) {
 *cspan_at(&progress, 2) = status;
@@ -24156,7 +24359,7 @@ array_double_1d progress;
 int64_t attempt, failed, tries, status;
 bool going;
 progress = span_row(&operation, 4);
-first_attempt(&attempt, &failed, operation, known);
+first_attempt(&attempt, &failed, operation, known, timing, offsets);
 going = goes_on(operation, timing, offsets);
 tries = 0;
 while(attempt < 10) {
@@ -24169,7 +24372,7 @@ put_off(attempt, failed, operation);
 return 0;
 }
 tries = tries + 1;
-*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
+*cspan_at(&progress, 17) = *cspan_at(&progress, 17) + 1.0;
 status = 2;
 if (seek_plan(attempt, operation, limits, known, timing, coefficients, offsets, states, cells, lead, work)) {
 status = prove_plan(operation, span_matrix(&limits, 0), known, timing, coefficients, offsets, states, lead, work, stack);
@@ -24180,7 +24383,7 @@ if (status == 0) {
 take_plan(rank(attempt, operation), operation, timing, coefficients, offsets);
 return 1;
 }
-if ((failed == 0) && (*cspan_at(&progress, 14) == 0.0)) {
+if ((failed == 0) && (*cspan_at(&progress, 15) == 0.0)) {
 *cspan_at(&progress, 2) = status;
 }
 choose_ease(attempt, status, operation, span_matrix(&limits, 1), known, timing, coefficients, offsets, work);
@@ -24254,7 +24457,7 @@ for (i = 0; i < 4; i += 1) {
 *cspan_at(&operation, 6 + axis, i) = 0.0;
 }
 }
-*cspan_at(&progress, 15) = *cspan_at(&progress, 15) + 1.0;
+*cspan_at(&progress, 16) = *cspan_at(&progress, 16) + 1.0;
 *cspan_at(&progress, 1) = 0;
 *cspan_at(&progress, 3) = 0.0;
 *cspan_at(&progress, 12) = 0.0;
@@ -24285,6 +24488,22 @@ if ((*cspan_at(&progress, 12) > 0.0) || is_due(operation)) {
 return 0;
 }
 result = (!is_prolonged(operation)) || holds_long_enough(elapsed, operation);
+return result;
+}
+static bool is_in_vain(array_double_2d operation, array_double_3d timing, array_int64_t_1d offsets) {
+array_double_1d progress;
+bool result;
+progress = span_row(&operation, 4);
+if ((!is_aim(3, operation)) || (*cspan_at(&progress, 12) > 0.0)) {
+return 0;
+}
+if (*cspan_at(&progress, 3) != 10) {
+return 0;
+}
+if (*cspan_at(&progress, 14) != *cspan_at(&operation, 0, 1)) {
+return 0;
+}
+result = has_ended(operation, timing, offsets);
 return result;
 }
 static bool renews(double elapsed, array_double_2d operation) {
@@ -24340,7 +24559,7 @@ write_aim(operation, span_matrix(&limits, 0), known, timing, coefficients, offse
 if (!is_aim(2, operation)) {
 *cspan_at(&progress, 12) = 0.0;
 }
-if (is_served(elapsed, operation)) {
+if (is_served(elapsed, operation) || is_in_vain(operation, timing, offsets)) {
 return 0;
 }
 note_present(elapsed, operation, timing, coefficients, offsets);

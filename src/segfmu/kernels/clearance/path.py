@@ -42,7 +42,7 @@ def first_contact(
         while lasts:
             begun = report[Collision.BEGIN] < NEVER
             interval_pieces(time, until, timing, coefficients, offsets, gravity, work)
-            span_ranges(until - time, coefficients.shape[1], work, ranges)
+            span_ranges(part, until - time, coefficients.shape[1], work, ranges)
             if begun or is_any_near(part, boxes, ranges):
                 span = stack[Stack.WHOLE, :, :]
                 begin_span(time, until, coefficients.shape[1], work, span)

@@ -6,9 +6,11 @@ it is between the load and where the greatest lean of all pieces would have it.
 
 from segfmu.kernels.clearance.records import Box, Part, Ranges
 from segfmu.kernels.crane.records import RopeWork
+from segfmu.kernels.crane.rope import acceleration_range
+from segfmu.kernels.numerics.bounds import polynomial_bounds
 from segfmu.kernels.numerics.numbers import NEVER
-from segfmu.kernels.trajectory.check import bernstein_coefficients
 from segfmu.kernels.trajectory.ranges import sum_range
+from segfmu.kernels.trajectory.records import Timing
 
 
 def path_ranges(
@@ -26,20 +28,48 @@ def path_ranges(
     for axis in range(3):
         least, most = sum_range(axis, 1.0, 0.0, timing, coefficients, offsets, work)
         begin_range(axis, least, most, ranges)
-    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
+    least, most = acceleration_range(2, timing, coefficients, offsets, work[0, :])
     lean = lean_of(gravity + least, ranges)
     if lean < 0.0:
         return
     for axis in range(2):
-        least, most = sum_range(axis, 1.0, lean, timing, coefficients, offsets, work)
+        least, most = carriage_range(axis, lean, timing, coefficients, offsets, work[0, :])
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
 
 
-def span_ranges(length: float, width: int, work: 'float[:,:]', ranges: 'float[:,:]') -> None:
-    """The same in an interval of a length [s], whose pieces `interval_pieces` has written."""
+def carriage_range(
+    axis: int,
+    lean: float,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    values: 'float[:]',
+) -> 'tuple[float, float]':
+    """Bounds of p + lean p'' in all pieces of an axis; values are work space."""
+    width = coefficients.shape[1]
+    lowest = NEVER
+    highest = -NEVER
+    for piece in range(offsets[axis], offsets[axis + 1]):
+        for i in range(width):
+            values[i] = coefficients[piece, i]
+        for i in range(width - 2):
+            ahead = lean * ((i + 1) * (i + 2) * coefficients[piece, i + 2])
+            values[i] = values[i] + ahead
+        least, most = polynomial_bounds(values, width, timing[piece, Timing.LENGTH])
+        lowest = min(lowest, least)
+        highest = max(highest, most)
+    return lowest, highest
+
+
+def span_ranges(
+    part: int, length: float, width: int, work: 'float[:,:]', ranges: 'float[:,:]'
+) -> None:
+    """The same of a part in an interval of a length [s], which `interval_pieces` has written."""
     for axis in range(3):
         least, most = row_bounds(RopeWork.LOAD + axis, width, length, work)
         begin_range(axis, least, most, ranges)
+    if part == Part.LOAD:
+        return
     pull, most = row_bounds(RopeWork.PULL + 2, width - 2, length, work)
     lean = lean_of(pull, ranges)
     if lean < 0.0:
@@ -79,14 +109,9 @@ def row_bounds(
     row: int, count: int, length: float, work: 'float[:,:]'
 ) -> 'tuple[float, float]':
     """Bounds of the polynomial of `count` coefficients in a row of `work` (RopeWork)."""
-    hull = work[RopeWork.DEMAND:RopeWork.PRODUCTS, :]
-    bernstein_coefficients(work, row, count, length, hull)
-    least = hull[0, 0]
-    most = least
-    for i in range(1, count):
-        least = min(least, hull[0, i])
-        most = max(most, hull[0, i])
-    return least, most
+    for i in range(count):
+        work[RopeWork.DEMAND, i] = work[row, i]
+    return polynomial_bounds(work[RopeWork.DEMAND, :], count, length)
 
 
 def widen_range(row: int, axis: int, least: float, most: float, ranges: 'float[:,:]') -> None:

@@ -11,6 +11,7 @@ from math import sqrt
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
 from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeFault, RopeWork
+from segfmu.kernels.numerics.bounds import polynomial_bounds
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
@@ -35,6 +36,39 @@ def check_rope(
     (RopeFault): for the load's height [m], its downward acceleration [m/s2], or the rope length
     [m].
     """
+    failed = failed_demand(False, timing, coefficients, offsets, bounds, work, report)
+    if failed == RopeDemand.MET:
+        return RopeDemand.MET
+    report[RopeFault.WORST] = worst_value(
+        failed, report[RopeFault.TIME], timing, coefficients, offsets, bounds, work
+    )
+    report[RopeFault.BOUND] = demand_bound(failed, bounds)
+    return failed
+
+
+def keeps_rope(
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    bounds: 'float[:]',
+    work: 'float[:,:]',
+    report: 'float[:]',
+) -> bool:
+    """Whether `check_rope` returns 0; of report only the time is written."""
+    failed = failed_demand(True, timing, coefficients, offsets, bounds, work, report)
+    return failed == RopeDemand.MET
+
+
+def failed_demand(
+    any_one: bool,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    bounds: 'float[:]',
+    work: 'float[:,:]',
+    report: 'float[:]',
+) -> int:
+    """The first violated demand, or the one that is violated at the earliest time; 0: none is."""
     none = RopeDemand.NOT_TOO_SHORT + 1
     lowest, highest, pull, square = rope_ranges(timing, coefficients, offsets, bounds, work)
     first = int(RopeDemand.BELOW_TROLLEY)
@@ -62,15 +96,33 @@ def check_rope(
                     failed = demand
                     report[RopeFault.TIME] = time + share * (until - time)
                     break
+        if any_one and failed < none:
+            break
         time = until
         until = interval_end(time, timing, offsets)
     if failed == none:
         return RopeDemand.MET
-    report[RopeFault.WORST] = worst_value(
-        failed, report[RopeFault.TIME], timing, coefficients, offsets, bounds, work
-    )
-    report[RopeFault.BOUND] = demand_bound(failed, bounds)
     return failed
+
+
+def acceleration_range(
+    axis: int,
+    timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+    offsets: 'int[:]',
+    values: 'float[:]',
+) -> 'tuple[float, float]':
+    """Bounds of an axis's acceleration in all of its pieces; values are work space."""
+    width = coefficients.shape[1]
+    lowest = NEVER
+    highest = -NEVER
+    for piece in range(offsets[axis], offsets[axis + 1]):
+        for i in range(width - 2):
+            values[i] = (i + 1) * (i + 2) * coefficients[piece, i + 2]
+        least, most = polynomial_bounds(values, width - 2, timing[piece, Timing.LENGTH])
+        lowest = min(lowest, least)
+        highest = max(highest, most)
+    return lowest, highest
 
 
 def rope_ranges(
@@ -85,13 +137,13 @@ def rope_ranges(
     The last one is the square of the greatest length of the rope over its depth, where it pulls.
     """
     lowest, highest = sum_range(2, 1.0, 0.0, timing, coefficients, offsets, work)
-    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work)
+    least, most = acceleration_range(2, timing, coefficients, offsets, work[0, :])
     # an axis may rest before the others do
     pull = bounds[RopeBounds.GRAVITY] + min(least, 0.0)
     square = 1.0
     if pull > 0.0:
         for axis in range(2):
-            least, most = sum_range(axis, 0.0, 1.0, timing, coefficients, offsets, work)
+            least, most = acceleration_range(axis, timing, coefficients, offsets, work[0, :])
             slope = max(-least, most) / pull
             square = square + slope * slope
     return lowest, highest, pull, square

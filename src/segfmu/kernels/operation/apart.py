@@ -115,6 +115,11 @@ def left_of_plan(
     return rest_time(Slot.PRESENT, timing, offsets) - elapsed
 
 
+def has_ended(operation: 'float[:,:]', timing: 'float[:,:,:]', offsets: 'int[:]') -> bool:
+    """Whether the present plan is at its end."""
+    return not left_of_plan(operation, timing, offsets) > 0.0
+
+
 def retry_later(operation: 'float[:,:]', timing: 'float[:,:,:]', offsets: 'int[:]') -> None:
     """Try a command again after a share of what is left of a plan with axes apart."""
     progress = operation[Operation.PROGRESS, :]

@@ -7,6 +7,7 @@ commands give the same plans after a state was restored.
 """
 
 from segfmu.kernels.operation.aim import is_aim, wanted_mode, write_aim
+from segfmu.kernels.operation.apart import has_ended
 from segfmu.kernels.operation.emergency import begin_emergency, prolong_swing
 from segfmu.kernels.operation.held import holds_long_enough
 from segfmu.kernels.operation.measured import takes_measured
@@ -79,7 +80,7 @@ def operate(
     write_aim(operation, limits[0, :, :], known, timing, coefficients, offsets)
     if not is_aim(Operation.BEFORE, operation):
         progress[Progress.NEXT] = 0.0
-    if is_served(elapsed, operation):
+    if is_served(elapsed, operation) or is_in_vain(operation, timing, offsets):
         return False
     note_present(elapsed, operation, timing, coefficients, offsets)
     if renews(elapsed, operation) and renew_holds(
@@ -101,6 +102,19 @@ def is_served(elapsed: float, operation: 'float[:,:]') -> bool:
     if progress[Progress.NEXT] > 0.0 or is_due(operation):
         return False
     return not is_prolonged(operation) or holds_long_enough(elapsed, operation)
+
+
+def is_in_vain(operation: 'float[:,:]', timing: 'float[:,:,:]', offsets: 'int[:]') -> bool:
+    """Whether all plans for the aim have been tried from where the load still rests."""
+    progress = operation[Operation.PROGRESS, :]
+    if not is_aim(Operation.TAKEN, operation) or progress[Progress.NEXT] > 0.0:
+        return False
+    if progress[Progress.ATTEMPT] != Attempt.NONE:
+        return False
+    # how long a velocity is held depends on the step
+    if progress[Progress.RESTED] != operation[Operation.COMMAND, Command.STEP]:
+        return False
+    return has_ended(operation, timing, offsets)
 
 
 def is_due(operation: 'float[:,:]') -> bool:

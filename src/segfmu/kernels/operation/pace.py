@@ -68,7 +68,12 @@ def pace_within(
     time = timing[offsets[0], Timing.START]
     until = interval_end(time, timing, offsets)
     while until > time:
-        for k in range(SAMPLES):
+        samples = SAMPLES
+        if keeps_through(
+            time, until, pace, speed, steepness, limits, timing, coefficients, offsets, known, work
+        ):
+            samples = 0
+        for k in range(samples):
             at = time + (until - time) * k / SAMPLES
             note_load(at, timing, coefficients, offsets, work)
             low = 1.0
@@ -92,6 +97,39 @@ def pace_within(
     return pace
 
 
+def paced_share(order: int, pace: float, speed: float, steepness: float) -> float:
+    """What is left of a derivative of an order, from 1 on, at a pace."""
+    if order == 1 and speed > 0.0:
+        return speed
+    power = pace
+    for i in range(1, order):
+        power = power * pace
+        if i > 1:
+            power = power * steepness
+    return power
+
+
+def keeps_through(
+    begin: float, end: float, pace: float, speed: float, steepness: float, limits: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]', known: 'float[:,:]',
+    work: 'float[:,:]',
+) -> bool:
+    """Whether all the motion between two times is proved to keep the bounds, built up at a pace."""
+    order = 3
+    for axis in range(3):
+        # without a limit the snap is another one, see `keeps_at`
+        if not limits[axis, order] > 0.0:
+            return False
+    write_load(begin, end, timing, coefficients, offsets, work)
+    for order in range(1, 5):
+        share = paced_share(order, pace, speed, steepness)
+        for axis in range(3):
+            place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
+            for i in range(Range.SIZE):
+                work[place, i] = share * work[place, i]
+    return keeps_reached(known, work)
+
+
 def note_load(
     time: float, timing: 'float[:,:]', coefficients: 'float[:,:]', offsets: 'int[:]',
     work: 'float[:,:]',
@@ -109,11 +147,8 @@ def keeps_at(
     work: 'float[:,:]',
 ) -> bool:
     """Whether the motion that `note_load` noted, built up at a pace, keeps the bounds."""
-    power = pace
     for order in range(1, 5):
-        share = power
-        if order == 1 and speed > 0.0:
-            share = speed
+        share = paced_share(order, pace, speed, steepness)
         for axis in range(3):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
             value = work[OperationWork.FLAT + order, axis]
@@ -122,13 +157,16 @@ def keeps_at(
                 most = implied_snap(limits[axis, 1], limits[axis, 2])
                 value = min(max(value, -most), most)
             work[place, Range.CENTRE] = share * value
-        power = power * pace
-        if order > 1:
-            power = power * steepness
+    return keeps_reached(known, work)
+
+
+def keeps_reached(known: 'float[:,:]', work: 'float[:,:]') -> bool:
+    """Whether rope and drives keep their bounds in all of the ranges of the load."""
     if not write_demands(known[Known.CRANE, :], work):
         return False
     longest = known[Known.ROPE, RopeBounds.LONGEST]
-    length = work[OperationWork.REACH + Reach.DEMAND + Demand.PLACE + 2, Range.CENTRE]
+    rope = work[OperationWork.REACH + Reach.DEMAND + Demand.PLACE + 2, :]
+    length = rope[Range.CENTRE] + rope[Range.RADIUS]
     if longest > 0.0 and length > longest * (1.0 + 1e-9):
         return False
     return judge_reach(0, Demand.SIZE, known[Known.BOUNDS, :], work) > 0

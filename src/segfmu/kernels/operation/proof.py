@@ -2,8 +2,8 @@
 
 from segfmu.kernels.clearance.records import SpaceStatus
 from segfmu.kernels.clearance.space import space_contact
-from segfmu.kernels.crane.records import Demand, RopeDemand
-from segfmu.kernels.crane.rope import check_rope
+from segfmu.kernels.crane.records import Demand
+from segfmu.kernels.crane.rope import keeps_rope
 from segfmu.kernels.operation.aim import standstill
 from segfmu.kernels.operation.drives import keeps_demands
 from segfmu.kernels.operation.plans import plan_end
@@ -39,10 +39,10 @@ def prove_crane(
     """The same without the limits of the load; of the demands the first ones count."""
     first = Slot.TRIED * Slot.OFFSETS
     pieces = offsets[first:first + Slot.OFFSETS]
-    if check_rope(
+    if not keeps_rope(
         timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known[Known.ROPE, :],
         work[OperationWork.ROPE:OperationWork.BOXES, :], work[OperationWork.FAULT, :],
-    ) != RopeDemand.MET:
+    ):
         return OperationStatus.ROPE
     contact = space_contact(
         timing[Slot.TRIED, :, :], coefficients[Slot.TRIED, :, :], pieces, known[Known.SPACE, :],

@@ -59,36 +59,36 @@ def write_load(
     for axis in range(3):
         last = offsets[axis + 1]
         row = find_piece(middle, timing, offsets[axis], last)
-        for i in range(width):
-            piece[i] = coefficients[row, i]
         local = middle - timing[row, Timing.START]
+        count = 1
         if local > timing[row, Timing.LENGTH]:
             # an axis rests after its end
             piece[0] = evaluate_piece(coefficients, row, width, timing[row, Timing.LENGTH], 0)
-            for i in range(1, width):
-                piece[i] = 0.0
         else:
-            polynomial_shift(piece, local, width)
+            count = width
+            while count > 1 and coefficients[row, count - 1] == 0.0:
+                count = count - 1
+            for i in range(count):
+                piece[i] = coefficients[row, i]
+            polynomial_shift(piece, local, count)
         for order in range(5):
             place = OperationWork.REACH + Reach.POSITION + 3 * order + axis
-            write_derivative(order, width, radius, piece, work[place, :])
+            write_hull(count, radius, piece, work[place, :])
+            for i in range(1, count):
+                piece[i - 1] = i * piece[i]
+            count = max(count - 1, 0)
 
 
-def write_derivative(
-    order: int, width: int, radius: float, piece: 'float[:]', found: 'float[:]'
-) -> None:
-    """Write the range of a derivative of a polynomial about the middle of an interval."""
+def write_hull(count: int, radius: float, piece: 'float[:]', found: 'float[:]') -> None:
+    """Write the range of a polynomial of `count` coefficients about the middle of an interval."""
     total = 0.0
+    # without a radius the value alone counts
+    if radius > 0.0:
+        for j in range(count - 1):
+            total = (total + abs(piece[count - 1 - j])) * radius
     value = 0.0
-    # the others are for the radius alone
-    used = width if radius > 0.0 else order + 1
-    for j in range(used - order):
-        i = used - 1 - j
-        value = piece[i]
-        for k in range(order):
-            value = value * (i - k)
-        if i > order:
-            total = (total + abs(value)) * radius
+    if count > 0:
+        value = piece[0]
     set_range(value, total, found)
 
 

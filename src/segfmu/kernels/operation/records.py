@@ -194,6 +194,9 @@ class Progress(Record):
     KEPT_STEEPNESS = field("steepness of its ramps")
     NEXT = field("1 + the attempt with which the next step goes on, 0: with the first")
     FAILED = field("why the last attempt before that failed, see OperationStatus")
+    RESTED = field(
+        "step of the command for which plans were last tried, if the load rested; -1: it moved", "s"
+    )
     BLOCKS = field("obstacles before which a way to be tried ends")
     PLANS = field("plans taken so far")
     ATTEMPTS = field("plans tried so far")

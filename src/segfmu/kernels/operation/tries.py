@@ -6,6 +6,7 @@ from segfmu.kernels.operation.apart import (
     choose_apart,
     goes_apart,
     goes_on,
+    has_ended,
     rests_at_target,
     retry_later,
 )
@@ -112,7 +113,7 @@ def attempt_plans(
 ) -> bool:
     """Try plans for the aim in turn, until one is taken; as `operate`."""
     progress = operation[Operation.PROGRESS, :]
-    attempt, failed = first_attempt(operation, known)
+    attempt, failed = first_attempt(operation, known, timing, offsets)
     going = goes_on(operation, timing, offsets)
     tries = 0
     while attempt < Attempt.NONE:
@@ -167,7 +168,9 @@ def attempt_plans(
     return False
 
 
-def first_attempt(operation: 'float[:,:]', known: 'float[:,:]') -> 'tuple[int, int]':
+def first_attempt(
+    operation: 'float[:,:]', known: 'float[:,:]', timing: 'float[:,:,:]', offsets: 'int[:]'
+) -> 'tuple[int, int]':
     """The attempt to begin with, and why the one before failed: those that were put off, or none.
 
     A command that is new begins with open ways.
@@ -178,6 +181,9 @@ def first_attempt(operation: 'float[:,:]', known: 'float[:,:]') -> 'tuple[int, i
     if following > 0:
         return following - 1, int(progress[Progress.FAILED])
     open_ways(operation, known)
+    progress[Progress.RESTED] = -1.0
+    if has_ended(operation, timing, offsets):
+        progress[Progress.RESTED] = operation[Operation.COMMAND, Command.STEP]
     progress[Progress.BLOCKS] = 0.0
     progress[Progress.SPEED] = 1.0
     progress[Progress.APART] = 0.0

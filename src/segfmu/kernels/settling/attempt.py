@@ -5,12 +5,13 @@ goes back to zero. Let go so, the derivative stays inside its limits. Where it c
 attempt is cut (brake.py); the rest of it shows that there is a way on.
 """
 
+from segfmu.kernels.numerics.bounds import polynomial_hull
 from segfmu.kernels.numerics.numbers import EXCEEDED, FINE, HALVINGS, NEARLY, NEVER, SAME
 from segfmu.kernels.numerics.polynomials import polynomial_differentiate, polynomial_shift
 from segfmu.kernels.planner.records import Axis
-from segfmu.kernels.settling.records import Chain, LeadRows, LeadWork
+from segfmu.kernels.settling.records import Chain, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.settling.stages import settle
-from segfmu.kernels.trajectory.check import bernstein_coefficients, within
+from segfmu.kernels.trajectory.check import within
 from segfmu.kernels.trajectory.evaluate import evaluate_piece
 from segfmu.kernels.trajectory.pieces import clear_piece
 from segfmu.kernels.trajectory.records import Brake, Check, Timing
@@ -90,11 +91,11 @@ def part_hull(
     width = coefficients.shape[1]
     while width > order + 1 and coefficients[row, width - 1] == 0.0:
         width = width - 1
-    values = check[Check.VALUES, :]
-    polynomial_differentiate(coefficients[row, :], width, order, values)
+    hull = check[Check.HULLS, :]
+    polynomial_differentiate(coefficients[row, :], width, order, hull)
     if start > 0.0:
-        polynomial_shift(values, start, width - order)
-    bernstein_coefficients(check, Check.VALUES, width - order, length, check)
+        polynomial_shift(hull, start, width - order)
+    polynomial_hull(hull, width - order, length)
     return width - order
 
 
@@ -167,11 +168,21 @@ def time_crossed(
     order: int, row: int, lower: float, upper: float, lead: 'float[:,:]', coefficients: 'float[:,:]'
 ) -> float:
     """Local time of a piece [s] at which a derivative comes inside, between two times."""
+    values = lead[LeadWork.CHECK + Check.VALUES, :]
+    count = coefficients.shape[1] - order
+    polynomial_differentiate(coefficients[row, :], coefficients.shape[1], order, values)
+    while count > 1 and values[count - 1] == 0.0:
+        count = count - 1
+    near = 0.0
+    if lead[LeadWork.TASK, LeadTask.COARSE] > 0.5:
+        near = EXCEEDED * (upper + lead[LeadWork.BRAKED, Chain.TIME])
     for k in range(HALVINGS):
         middle = 0.5 * (lower + upper)
-        if middle == lower or middle == upper:
+        if middle == lower or middle == upper or upper - lower < near:
             break
-        value = evaluate_piece(coefficients, row, coefficients.shape[1], middle, order)
+        value = 0.0
+        for i in range(count):
+            value = value * middle + values[count - 1 - i]
         if outside_by(value, order, lead) > 0.0:
             lower = middle
         else:

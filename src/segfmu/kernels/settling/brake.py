@@ -25,7 +25,7 @@ from segfmu.kernels.settling.brake_pieces import (
 from segfmu.kernels.settling.chain import STEEPER
 from segfmu.kernels.settling.inside import bring_highest, bring_inside
 from segfmu.kernels.settling.kept_brakes import keep_brake, kept_brake
-from segfmu.kernels.settling.records import KeptBrake, LeadRows, LeadWork
+from segfmu.kernels.settling.records import KeptBrake, LeadRows, LeadTask, LeadWork
 from segfmu.kernels.trajectory.records import Brake, Timing
 
 # derivatives that nothing limits are raised so often, as long as the time of a brake becomes less
@@ -139,12 +139,33 @@ def choose_brake(
     coefficients: 'float[:,:]',
 ) -> int:
     """Search for the soonest brake and keep its choices; the number of its pieces, as above."""
+    lead[LeadWork.TASK, LeadTask.COARSE] = 1.0
+    steep, loose, until = choose_limits(whole, limits, lead, timing, coefficients)
+    if steep > 0.0 and until > 0.0:
+        choose_gentle(steep, loose, whole, limits, lead, timing, coefficients)
+    lead[LeadWork.TASK, LeadTask.COARSE] = 0.0
+    if until == 0.0:
+        return int(lead[LeadWork.BRAKE, Brake.COUNT])
+    keep_brake(whole, steep, loose, limits, lead)
+    if steep == 0.0:
+        return -1
+    return brake_within(steep, loose, whole, limits, lead, timing, coefficients)
+
+
+def choose_limits(
+    whole: bool, limits: 'float[:]', lead: 'float[:,:]', timing: 'float[:,:]',
+    coefficients: 'float[:,:]',
+) -> 'tuple[float, int, float]':
+    """The steepness of the soonest brake, the order of its loose limits, and its time [s].
+
+    As in `best_steepness`: a steepness of 0: there is none, a time of 0: none is needed.
+    """
     report = lead[LeadWork.BRAKE, :]
     smoothness = limits.shape[0] - 1
     loose = smoothness + 1
     chosen, best = best_steepness(loose, whole, limits, lead, timing, coefficients)
     if best == 0.0:
-        return int(report[Brake.COUNT])
+        return chosen, loose, best
     # a jerk far beyond its limit takes so long to come inside that the velocity gets beyond all
     # bounds; so it may stay as large as it is, in both directions, where that halves the time
     for i in range(smoothness - 2):
@@ -159,22 +180,32 @@ def choose_brake(
         # an acceleration that comes inside at once may leave the velocity no way to follow
         report[Brake.GENTLE + 2] = 0.5
         chosen, best = best_steepness(loose, whole, limits, lead, timing, coefficients)
-    if chosen == 0.0:
-        keep_brake(whole, chosen, loose, limits, lead)
-        return -1
-    count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-    # what comes inside at once may have to turn round again for the ones below
+    return chosen, loose, best
+
+
+def choose_gentle(
+    steep: float, loose: int, whole: bool, limits: 'float[:]', lead: 'float[:,:]',
+    timing: 'float[:,:]', coefficients: 'float[:,:]',
+) -> None:
+    """Choose how gently each derivative comes inside.
+
+    What comes inside at once may have to turn round again for the ones below.
+    """
+    report = lead[LeadWork.BRAKE, :]
+    smoothness = limits.shape[0] - 1
+    brake_within(steep, loose, whole, limits, lead, timing, coefficients)
+    best = report[Brake.UNTIL]
     for order in range(2, smoothness):
         inside = lead[LeadWork.INSIDE, order]
         gentle = report[Brake.GENTLE + order]
         if 0.0 < inside < report[Brake.UNTIL]:
             for i in range(1, 5):
                 report[Brake.GENTLE + order] = 0.25 * i
-                count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
+                count = brake_within(steep, loose, whole, limits, lead, timing, coefficients)
                 if count > 0 and report[Brake.UNTIL] < (1.0 - FINE) * best:
                     best = report[Brake.UNTIL]
                     gentle = report[Brake.GENTLE + order]
             report[Brake.GENTLE + order] = gentle
-            count = brake_within(chosen, loose, whole, limits, lead, timing, coefficients)
-    keep_brake(whole, chosen, loose, limits, lead)
-    return count
+            # the last one that was tried is there
+            if gentle < 1.0 and order + 1 < smoothness:
+                brake_within(steep, loose, whole, limits, lead, timing, coefficients)

@@ -56,8 +56,11 @@ def deepest_level(
 def best_level(
     order: int, side: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> 'tuple[float, float]':
-    """The soonest time of `try_brake`, NEVER if there is none, and its level: the deepest one."""
+) -> float:
+    """The soonest time of `try_brake`, at the deepest level, NEVER if there is none.
+
+    The attempt that tells it is the last one.
+    """
     level = level_limit(order, side, lead)
     time = try_brake(order, side, level, settled, lead, timing, coefficients)
     if time < 0.0:
@@ -66,24 +69,24 @@ def best_level(
     # a lower one where that does not keep the limits
     for i in range(6):
         if 0.0 <= time < NEVER:
-            return time, level
+            return time
         level = 0.0 if i == 5 else 0.5 * level
         time = try_brake(order, side, level, settled, lead, timing, coefficients)
     if time < 0.0:
         time = NEVER
-    return time, level
+    return time
 
 
 def level_time(
     order: int, side: float, gentle: float, settled: bool, lead: 'float[:,:]', timing: 'float[:,:]',
     coefficients: 'float[:,:]',
-) -> 'tuple[float, float]':
-    """The time of `try_brake` and its level: a part of the limit, the best one if gentle is 0."""
+) -> float:
+    """The time of `try_brake` at a part of the limit, at the best level if gentle is 0."""
     if gentle > 0.0:
         level = (1.0 - gentle) * level_limit(order, side, lead)
         time = try_brake(order, side, level, settled, lead, timing, coefficients)
         if time >= 0.0 and time < NEVER:
-            return time, level
+            return time
     return best_level(order, side, settled, lead, timing, coefficients)
 
 
@@ -164,19 +167,18 @@ def bring_inside(
     side = side_beyond(order, lead, timing, coefficients)
     if side == 0.0 and not whole:
         return True
-    time, level, settled = NEVER, 0.0, False
+    time, settled = NEVER, False
     for i in range(2):
         if time >= NEVER:
             settled = i == 1
             if side == 0.0:
                 time = try_brake(order, 1.0, 0.0, settled, lead, timing, coefficients)
             else:
-                time, level = level_time(order, side, gentle, settled, lead, timing, coefficients)
+                time = level_time(order, side, gentle, settled, lead, timing, coefficients)
     if time >= NEVER:
         return False
+    # the pieces are those of the last attempt
     start = reached[Chain.TIME]
-    if side != 0.0:
-        try_brake(order, side, level, settled, lead, timing, coefficients)
     if time > start:
         report[Brake.UNTIL] = time
         lead[LeadWork.INSIDE, order] = time

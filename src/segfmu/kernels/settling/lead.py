@@ -8,6 +8,7 @@ limits is brought inside first (brake.py).
 
 from segfmu.kernels.numerics.numbers import EQUAL, EXCEEDED, NEVER
 from segfmu.kernels.planner.parameters import axis_limits, ramp_parameters, usual_share
+from segfmu.kernels.planner.records import Problem
 from segfmu.kernels.planner.sides import set_lower
 from segfmu.kernels.settling.brake import find_brake
 from segfmu.kernels.settling.brake_limits import is_outside
@@ -19,7 +20,7 @@ from segfmu.kernels.settling.level_search import (
     permits_levels,
     search_levels,
 )
-from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadTask, LeadWork
+from segfmu.kernels.settling.records import Chain, Lead, LeadRows, LeadStage, LeadTask, LeadWork
 from segfmu.kernels.settling.search import STEEPEST, leads_in, search_ends, try_steeper
 from segfmu.kernels.settling.trial import soonest_ends, time_anew, try_lead
 from segfmu.kernels.trajectory.check import rounding_error
@@ -103,6 +104,11 @@ def find_lead(
     smoothness = limits.shape[0] - 1
     if axis < 0 or smoothness < 2 or smoothness > 6 or coefficients.shape[1] != 2 * smoothness:
         return False
+    if order == LeadStage.VELOCITY and holds_target(lead):
+        if not brakes or not is_outside(limits, lead):
+            lead[LeadWork.REACHED, :] = lead[LeadWork.NOW, :]
+            lead[LeadWork.BEST, Lead.TIME] = 0.0
+            return True
     shape = int(lead[LeadWork.TASK, LeadTask.SHAPE])
     if not brakes or not is_outside(limits, lead):
         if start_search(shape, limits, lead):
@@ -118,6 +124,16 @@ def find_lead(
     if brakes and lead[LeadWork.BEST, Lead.TIME] < 0.0:
         search_braked(order, within, shape, limits, lead, timing, coefficients)
     return lead[LeadWork.BEST, Lead.TIME] >= 0.0
+
+
+def holds_target(lead: 'float[:,:]') -> bool:
+    """Whether the row NOW of `lead` has the velocity of the target, and keeps it."""
+    if lead[LeadWork.NOW, Chain.DERIVATIVES + 1] != lead[LeadWork.TARGET, Problem.W]:
+        return False
+    for i in range(2, Chain.SIZE - 1):
+        if lead[LeadWork.NOW, i] != 0.0:
+            return False
+    return True
 
 
 def start_search(shape: int, limits: 'float[:]', lead: 'float[:,:]') -> bool:

@@ -71,6 +71,7 @@ class LeadTask(Record):
     BRAKES = field("1: a state that cannot keep the limits is brought inside first")
     DONE = field("what is there already, see Done")
     FAILED = field("written: first axis that has no lead, -1: all have one")
+    COARSE = field("1: a brake is searched for, and its times need not be exact yet")
     OLDEST = field("written: brake in KEPT that the next one replaces")
 
 
