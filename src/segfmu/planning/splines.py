@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
 from typing import NamedTuple
 
 import numpy as np
 
 from segfmu.arrays import FloatArray
 from segfmu.kernels import backend
-from segfmu.kernels.numerics.numbers import HALF_DIGITS
 from segfmu.kernels.planner.records import Axis, Lower
 from segfmu.kernels.spline.records import Derivatives, Mesh, SplineWork
 from segfmu.kernels.trajectory.records import PieceState, Timing
@@ -20,15 +18,15 @@ class AxisBounds(NamedTuple):
 
     Attributes
     ----------
-    upper : ndarray, shape (n + 1,)
-        Limits of the derivatives 1 .. n + 1, infinite where absent.
+    limits : ndarray, shape (n + 1,)
+        Of the derivatives 1 .. n + 1, 0 where absent.
     lower : ndarray, shape (2,)
         Magnitudes of those of velocity and acceleration in the negative direction.
     allowed : ndarray, shape (2,)
         Range of the positions [m], infinite for no bound.
     """
 
-    upper: FloatArray
+    limits: FloatArray
     lower: FloatArray
     allowed: FloatArray
 
@@ -72,41 +70,6 @@ def spline_use(
     return _least_share(first, last, bounds, duration, highest=False)[0]
 
 
-def overshoots(first: FloatArray, last: FloatArray, bounds: AxisBounds) -> bool:
-    """Whether an end alone is out of the range, or leads out of it until the axis turns back.
-
-    A motion that need not turn back does not tell. Limits above the jerk are left out.
-    """
-    low, high = bounds.allowed.tolist()
-    if not all(low <= state[0] <= high for state in (first, last)):
-        return True
-    if first[1] * last[1] > 0.0:
-        return False
-    # to its end a motion comes as it leaves it in reversed time
-    for state, speed in ((first, float(first[1])), (last, -float(last[1]))):
-        place, acceleration = float(state[0]), float(state[2])
-        room, brake = high - place, float(bounds.lower[1])
-        if speed < 0.0:
-            room, brake, acceleration = place - low, float(bounds.upper[1]), -acceleration
-        needed = _stopping_distance(abs(speed), acceleration, brake, float(bounds.upper[2]))
-        if needed > room + HALF_DIGITS * needed:
-            return True
-    return False
-
-
-def _stopping_distance(speed: float, acceleration: float, brake: float, jerk: float) -> float:
-    """The least distance [m] in which a speed becomes zero, by acceleration and jerk alone."""
-    time = 0.0
-    if jerk < inf:
-        stopped = (acceleration + sqrt(acceleration * acceleration + 2.0 * jerk * speed)) / jerk
-        time = max(min(stopped, (acceleration + brake) / jerk), 0.0)
-    else:
-        jerk = 0.0
-    left = speed + (acceleration - 0.5 * jerk * time) * time
-    ramp = (speed + (0.5 * acceleration - jerk * time / 6.0) * time) * time
-    return ramp + 0.5 * left * left / brake
-
-
 def _least_share(
     first: FloatArray, last: FloatArray, bounds: AxisBounds, duration: float, *, highest: bool
 ) -> tuple[float, FloatArray, FloatArray, FloatArray]:
@@ -114,9 +77,7 @@ def _least_share(
     n = first.size - 1
     axis = np.zeros(Axis.SIZE)
     axis[Axis.SMOOTHNESS] = n
-    axis[Axis.VELOCITY : Axis.VELOCITY + n + 1] = np.where(
-        np.isfinite(bounds.upper), bounds.upper, 0.0
-    )
+    axis[Axis.VELOCITY : Axis.VELOCITY + n + 1] = bounds.limits
     axis[Axis.LOWER : Axis.LOWER + Lower.SIZE] = bounds.lower
     begin, end = np.zeros((2, Derivatives.SIZE))
     begin[: n + 1], end[: n + 1] = first, last

@@ -20,7 +20,7 @@ from segfmu.planning.motion import plan_motion
 from segfmu.planning.polynomials import extrema
 from segfmu.planning.problem import options
 from segfmu.planning.request import Request
-from segfmu.planning.splines import AxisBounds, overshoots, spline_motion, spline_use
+from segfmu.planning.splines import AxisBounds, spline_motion, spline_use
 from segfmu.planning.trajectory import Trajectory
 
 # of its duration, by which an interval becomes longer; the one that is found is known to a
@@ -126,8 +126,6 @@ class _Changed:
         outside = [axis for axis in group if self._leaves(axis, self._parts[axis][part])]
         if not outside:
             return True
-        if any(overshoots(*self._ends_of(interval, axis), self._bounds(axis)) for axis in outside):
-            return False
         old = (self._arrivals[interval + 1] - self._departures[interval])[group]
         durations = dict(zip(group, old.tolist(), strict=True))
         added = 0.0
@@ -223,8 +221,7 @@ class _Changed:
 
     def _bounds(self, axis: int) -> AxisBounds:
         problem = self._request.problem
-        upper = np.where(problem.limits[axis] > 0.0, problem.limits[axis], inf)
-        return AxisBounds(upper, problem.lower[axis], self._allowed[axis])
+        return AxisBounds(problem.limits[axis], problem.lower[axis], self._allowed[axis])
 
     def _leaves(self, axis: int, motion: Motion) -> bool:
         lengths, coefficients = motion
