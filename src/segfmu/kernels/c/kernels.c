@@ -12392,10 +12392,10 @@ backwards = speed_bound(-1.0, longest, problem, axis);
 }
 before = 0.0;
 e_before = 0.0;
-for (i = 0; i < 2 * 6 + 1; i += 1) {
-cruise = fastest * (1.0 - i / 6.0);
-if (i > 6) {
-cruise = backwards * (1.0 - i / 6.0);
+for (i = 0; i < 12 + 1; i += 1) {
+cruise = fastest * (1.0 - 2.0 * i / 12);
+if (2 * i > 12) {
+cruise = backwards * (1.0 - 2.0 * i / 12);
 }
 cruise_form(&used, &row, &duration, &y, trial, cruise, problem, axis);
 error = used >= 0 ? y - distance : 0.0;
@@ -13664,7 +13664,7 @@ if ((duration < 0.0) || ((arc != 0) && (arc != 6))) {
 (*result_1) = error;
 return 0;
 }
-small = 0.02 * duration;
+small = 0.1 * duration;
 if (*cspan_at(&family, 16) == 0.0) {
 speed = fabs(*cspan_at(&family, 0)) + fabs(*cspan_at(&family, 2)) + missing;
 small = small * speed;
@@ -16013,7 +16013,7 @@ scale = *cspan_at(&work, 98, 20);
 }
 set_alternating(sign, 0.5 * 0.7 * scale / q, work);
 if (solve_rotated(problem, axis, work)) {
-shorter = sequence_duration(passing, nodes) < 0.9 * duration;
+shorter = sequence_duration(passing, nodes) < (1.0 - 0.1) * duration;
 if (shorter && (largest_excess(axis, work) < most)) {
 *cspan_at(&passing, 12) = 0.0;
 keep_sequence(158, work);
@@ -16813,7 +16813,7 @@ double duration, slope, sign;
 bool result;
 segfmu_ramp_duration(&duration, &slope, fabs(a), axis);
 sign = sign_of(a);
-result = sign * v + 0.5 * fabs(a) * duration > 0.9 * side_limit(1, sign, axis);
+result = sign * v + 0.5 * fabs(a) * duration > (1.0 - 0.1) * side_limit(1, sign, axis);
 return result;
 }
 static void set_touching(int64_t variant, double duration, array_double_1d problem, array_double_2d work) {
@@ -20308,7 +20308,7 @@ after = start;
 growth = 1.005;
 for (i = 0; i < 100; i += 1) {
 duration = span_min(after * growth, end);
-if ((i == span_floor_div(12, 4)) && (end < most)) {
+if ((i == 3) && (end < most)) {
 duration = end;
 }
 if (set_duration(duration, cell, axis, work)) {
@@ -25487,13 +25487,14 @@ place = span_floor_div(row * (row + 1), 2);
 return place + other - 1;
 }
 static void add_rows(int64_t row, int64_t count, array_double_2d link, array_double_2d grid, array_double_2d square) {
+int64_t last, j, by, place, product;
 array_double_1d one, two, three, four;
-int64_t j, by, place, product;
 double pull, crossed, first, second, third, fourth, added;
+last = row + 3;
 one = span_row(&grid, row);
 two = span_row(&grid, row + 1);
 three = span_row(&grid, row + 2);
-four = span_row(&grid, row + 4 - 1);
+four = span_row(&grid, last);
 for (j = 1; j < count; j += 1) {
 by = 0 + j;
 pull = *cspan_at(&one, 111) * *cspan_at(&one, by) + *cspan_at(&two, 111) * *cspan_at(&two, by);
@@ -25601,8 +25602,8 @@ slope = slope + own_slope;
 bend = bend + own_bend;
 curvature = curvature + own_curvature;
 }
-for (i = 0; i < span_floor_div(56, 4); i += 1) {
-add_rows(4 * i, count, link, grid, square);
+for (i = 0; i < 56; i += 4) {
+add_rows(i, count, link, grid, square);
 }
 give_units(count, link, square);
 *cspan_at(&link, 6, 14) = slope;

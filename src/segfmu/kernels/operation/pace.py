@@ -8,7 +8,7 @@ its velocity is too much, that is slower, too.
 
 from segfmu.kernels.crane.records import Demand, RopeBounds
 from segfmu.kernels.crane.rope import interval_end
-from segfmu.kernels.numerics.numbers import NEVER
+from segfmu.kernels.numerics.numbers import NEARLY, NEVER
 from segfmu.kernels.operation.attempts import implied_snap
 from segfmu.kernels.operation.drives import judge_reach
 from segfmu.kernels.operation.reach import write_demands, write_load
@@ -167,6 +167,6 @@ def keeps_reached(known: 'float[:,:]', work: 'float[:,:]') -> bool:
     longest = known[Known.ROPE, RopeBounds.LONGEST]
     rope = work[OperationWork.REACH + Reach.DEMAND + Demand.PLACE + 2, :]
     length = rope[Range.CENTRE] + rope[Range.RADIUS]
-    if longest > 0.0 and length > longest * (1.0 + 1e-9):
+    if longest > 0.0 and length > longest * (1.0 + NEARLY):
         return False
     return judge_reach(0, Demand.SIZE, known[Known.BOUNDS, :], work) > 0

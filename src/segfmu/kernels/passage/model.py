@@ -52,8 +52,8 @@ def add_rows(
 
     Each is passed through once for four rows: the sums cost more to fetch than to make.
     """
-    one, two = grid[row, :], grid[row + 1, :]
-    three, four = grid[row + 2, :], grid[row + Cells.AT_ONCE - 1, :]
+    last = row + 3
+    one, two, three, four = grid[row, :], grid[row + 1, :], grid[row + 2, :], grid[last, :]
     for j in range(int(GridColumn.ENDS), count):
         by = GridRow.BY + j
         pull = one[GridRow.PULL] * one[by] + two[GridRow.PULL] * two[by]
@@ -114,8 +114,8 @@ def write_model(
         slope = slope + own_slope
         bend = bend + own_bend
         curvature = curvature + own_curvature
-    for i in range(Cells.ROWS // Cells.AT_ONCE):
-        add_rows(Cells.AT_ONCE * i, count, link, grid, square)
+    for i in range(0, Cells.ROWS, 4):
+        add_rows(i, count, link, grid, square)
     give_units(count, link, square)
     link[Link.GRADIENT, GridColumn.TIME] = slope
     for j in range(int(GridColumn.ENDS), GridColumn.COMPONENTS):

@@ -7,13 +7,12 @@ from segfmu.kernels.records import Codes, Record, field
 class Cells(Codes):
     """Between two waypoints: cells of constant control, nodes within, and rows of a grid.
 
-    AT_ONCE: rows that are added to a model at once.
+    These are added to a model by fours (`add_rows`).
     """
 
     COUNT = 12
     INNER = 11
     ROWS = 56
-    AT_ONCE = 4
 
 
 class Path(Record):

@@ -11,7 +11,6 @@ from segfmu.kernels.planner.instant import add_instant, place_instant
 from segfmu.kernels.planner.newton import has_pace
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.plateaus import (
-    MOST_NODES,
     insert_node,
     insert_plateau,
     keep_sequence,
@@ -56,7 +55,7 @@ def insert_level(
         place = count
         beside = count - 1
         sign = -1.0
-    if place < 0 or beside < 0 or beside >= count or count > MOST_NODES:
+    if place < 0 or beside < 0 or beside >= count or count > FEW:
         return False
     row = PlanWork.NODES + beside
     if int(passing[Passing.INSTANTS]) > 2 or work[row, Node.KIND] != 0.0:

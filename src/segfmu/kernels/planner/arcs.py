@@ -1,6 +1,15 @@
 """Profiles of two levels next to a single ramp (loop.py): a search along all their arcs."""
 
-from segfmu.kernels.numerics.numbers import FEW, FINE, GAINED, HALVINGS, ROUNDED, SAME, SAMPLES
+from segfmu.kernels.numerics.numbers import (
+    FEW,
+    FINE,
+    GAINED,
+    HALVINGS,
+    ROUNDED,
+    SAME,
+    SAMPLES,
+    SMALL,
+)
 from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.levels import member_distance
 from segfmu.kernels.planner.loop import loop_radius, set_loop, slow_middle
@@ -9,10 +18,6 @@ from segfmu.kernels.planner.phases import copy_phases, valid_duration
 from segfmu.kernels.planner.records import Axis, Effort, Family, LoopArc, PlanWork, Problem
 from segfmu.kernels.planner.sides import fastest_velocity, top_acceleration
 from segfmu.kernels.planner.timed_cruise import is_enclosed, keep_nearest
-
-# between samples of an arc the velocity is met up to rounding where the excess is below this share
-# of what the velocities cover, else within a thousandth (FINE) of what is missing
-NEAR = 0.02
 
 
 def loop_excess(
@@ -86,11 +91,14 @@ def loop_root(
 def scanned_excess(
     arc: int, place: float, missing: float, largest: float, family: 'float[:]', axis: 'float[:]'
 ) -> 'tuple[float, float]':
-    """`loop_excess`, accurate where it is small: elsewhere its sign is enough."""
+    """`loop_excess`, accurate where it is small beside what the velocities cover.
+
+    Elsewhere its sign is enough.
+    """
     duration, error = loop_excess(arc, place, FINE, missing, largest, family, axis)
     if duration < 0.0 or (arc != LoopArc.LOOP and arc != LoopArc.FOLD):
         return duration, error
-    small = NEAR * duration
+    small = SMALL * duration
     if family[Family.BY_TIME] == 0.0:
         speed = abs(family[Family.V]) + abs(family[Family.W]) + missing
         small = small * speed

@@ -3,7 +3,7 @@
 The cruise velocity is given, or such that the cruise has zero duration.
 """
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, NEVER, ROUNDED, SAME
+from segfmu.kernels.numerics.numbers import COARSE, GAINED, HALVINGS, NEVER, ROUNDED, SAME
 from segfmu.kernels.numerics.roots import next_bracket, next_point
 from segfmu.kernels.planner.levels import solve_level
 from segfmu.kernels.planner.phases import (
@@ -19,9 +19,6 @@ from segfmu.kernels.planner.phases import (
     valid_duration,
 )
 from segfmu.kernels.planner.records import Axis, Problem
-
-# cruise velocities that are looked at in each direction
-SAMPLES = 6
 
 
 def append_velocity_change(
@@ -144,10 +141,10 @@ def shorter_cruise(
         fastest = speed_bound(1.0, longest, problem, axis)
         backwards = speed_bound(-1.0, longest, problem, axis)
     before, e_before = 0.0, 0.0
-    for i in range(2 * SAMPLES + 1):
-        cruise = fastest * (1.0 - i / float(SAMPLES))
-        if i > SAMPLES:
-            cruise = backwards * (1.0 - i / float(SAMPLES))
+    for i in range(COARSE + 1):
+        cruise = fastest * (1.0 - 2.0 * i / COARSE)
+        if 2 * i > COARSE:
+            cruise = backwards * (1.0 - 2.0 * i / COARSE)
         used, row, duration, y = cruise_form(trial, cruise, problem, axis)
         error = y - distance if used >= 0 else 0.0
         if error * e_before < 0.0:

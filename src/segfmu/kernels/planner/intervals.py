@@ -7,7 +7,7 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import COARSE, GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import append_hold, is_resting, stretch_phases, total_duration
@@ -18,6 +18,8 @@ from segfmu.kernels.planner.synchronize import timed_profile
 # how a duration grows at first that is looked for in a gap, and how the growth itself does: windows
 # get longer
 GROWTH = 1.005
+# durations that are tried before a known end of a gap: windows there are near its begin
+BEFORE_END = 3
 # meetings of axes until there is no common duration
 SWEEPS = 100000
 # sample times [s]
@@ -112,8 +114,7 @@ def next_feasible(
     growth = GROWTH
     for i in range(HALVINGS):
         duration = min(after * growth, end)
-        # windows before a known end are near the begin of the gap
-        if i == COARSE // 4 and end < most:
+        if i == BEFORE_END and end < most:
             duration = end
         if set_duration(duration, cell, axis, work):
             if duration == end and axis[Axis.PLATEAU] != 0.0 and ramps_suffice(axis):

@@ -1,15 +1,13 @@
 """Plateaus of a sequence (sequence.py): which derivatives stay at their limits, and where."""
 
 
-from segfmu.kernels.numerics.numbers import EQUAL, TIE, TRIES
+from segfmu.kernels.numerics.numbers import EQUAL, FEW, TIE, TRIES
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.instant import shift_instants
 from segfmu.kernels.planner.newton import LESS, solve_sequence
 from segfmu.kernels.planner.records import Axis, Excess, Node, Passing, PlanWork, Touch
 from segfmu.kernels.planner.sequence import sequence_duration
 
-# nodes of a sequence that is changed: others are too long
-MOST_NODES = 12
 # of the whole duration: what a level at an end takes at first
 NEW = 0.03
 
@@ -135,7 +133,7 @@ def insert_plateau(
     place = int(excess[Excess.NODE])
     sign = excess[Excess.SIGN]
     holding = excess[Excess.HOLDING] != 0.0
-    if count > MOST_NODES:
+    if count > FEW:
         return False
     if kind == q - 2:
         if not holding:

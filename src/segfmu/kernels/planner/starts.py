@@ -6,7 +6,7 @@ levels that alternate.
 
 from math import sqrt
 
-from segfmu.kernels.numerics.numbers import FINE, NEARLY, NEVER
+from segfmu.kernels.numerics.numbers import FINE, NEARLY, NEVER, SMALL
 from segfmu.kernels.planner.excess import measure_excess
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import has_dip, is_resting, total_duration
@@ -38,9 +38,8 @@ ALTERNATING = 0.7
 # an attempt takes off again; and another one has more
 HIGHER = 1.25
 MORE = 1.3
-# what a sequence without plateaus may exceed limits by, and what it takes of one with them
+# what a sequence without plateaus may exceed limits by; it takes less (SMALL) than one with them
 BEYOND = 0.3
-SHORTER = 0.9
 
 
 def append_level(sign: float, time: float, work: 'float[:,:]') -> None:
@@ -225,7 +224,7 @@ def shorter_solution(problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') 
             scale = work[PlanWork.FAMILY, Family.FREE]
         set_alternating(sign, 0.5 * ALTERNATING * scale / q, work)
         if solve_rotated(problem, axis, work):
-            shorter = sequence_duration(passing, nodes) < SHORTER * duration
+            shorter = sequence_duration(passing, nodes) < (1.0 - SMALL) * duration
             if shorter and largest_excess(axis, work) < most:
                 passing[Passing.QUICK] = 0.0
                 keep_sequence(PlanWork.SOLVED, work)

@@ -4,7 +4,7 @@ Where braking exceeds the velocity limit, the shortest motions can be in windows
 durations. Other starts of Newton's method often do not lead there.
 """
 
-from segfmu.kernels.numerics.numbers import WORTH
+from segfmu.kernels.numerics.numbers import SMALL, WORTH
 from segfmu.kernels.planner.instant import add_instant
 from segfmu.kernels.planner.orientation import reverse_search
 from segfmu.kernels.planner.parameters import ramps_suffice
@@ -27,9 +27,6 @@ from segfmu.kernels.planner.sequence import sequence_duration
 from segfmu.kernels.planner.sides import side_limit
 from segfmu.kernels.planner.starts import begin_sequence
 
-# share of the velocity limit near which a ramp to zero acceleration touches it: of 122 motions that
-# these starts shorten, 0.9 loses none, 0.95 two
-NEAR = 0.9
 # two levels of the snap make one of the jerk, in this time
 TWO_LEVELS = 0.7
 # variants whose velocity touches its limit at one end at most: attempts of short searches
@@ -45,7 +42,7 @@ def may_touch(v: float, a: float, axis: 'float[:]') -> bool:
     """Whether the ramp from the acceleration a to zero comes near the velocity limit."""
     duration, slope = ramp_duration(abs(a), axis)
     sign = sign_of(a)
-    return sign * v + 0.5 * abs(a) * duration > NEAR * side_limit(1, sign, axis)
+    return sign * v + 0.5 * abs(a) * duration > (1.0 - SMALL) * side_limit(1, sign, axis)
 
 
 def set_touching(variant: int, duration: float, problem: 'float[:]', work: 'float[:,:]') -> None:
