@@ -19069,7 +19069,7 @@ return result;
 }
 static void clear_search(array_double_2d lead) {
 int64_t row, i;
-for (row = 7; row < 852; row += 1) {
+for (row = 7; row < 68; row += 1) {
 for (i = 0; i < lead.shape[1]; i += 1) {
 *cspan_at(&lead, row, i) = 0.0;
 }

@@ -24,7 +24,7 @@ from segfmu.kernels.trajectory.records import Brake
 
 def clear_search(lead: 'float[:,:]') -> None:
     """Clear what a search writes before it reads, so that nothing depends on what was before."""
-    for row in range(LeadWork.NOW, LeadWork.PLAN):
+    for row in range(LeadWork.NOW, LeadWork.SPLINE):
         lead[row, :] = 0.0
 
 
