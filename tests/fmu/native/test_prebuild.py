@@ -34,7 +34,7 @@ def test_an_archive_is_written_where_it_is_another_one(
     path = tmp_path / "vax.tar.xz"
 
     def written(library: bytes) -> int:
-        told = prebuild._write("vax", {"one.so": library})
+        told = prebuild._write("vax.tar.xz", {"one.so": library})
         assert told.startswith("vax.tar.xz: ") and list(tmp_path.iterdir()) == [path]
         assert unpack(path.read_bytes()) == {"one.so": library}
         return path.stat().st_mtime_ns

@@ -141,14 +141,23 @@ def source_digest(texts: Mapping[str, bytes]) -> str:
 
 
 def packaged_name(name: str, texts: Mapping[str, bytes], platform: str) -> str:
-    """A library's name in the archive of its platform: the sources are part of it."""
+    """A library's name in the archive of its processor: the sources are part of it."""
     return f"{name}-{source_digest(texts)[:16]}{TARGETS[platform].suffix}"
 
 
-@cache
+def archive_name(platform: str) -> str:
+    """The archive with a platform's libraries: those for the same processor share most code."""
+    return f"{platform.partition('-')[0]}.tar.xz"
+
+
 def _packaged(platform: str) -> Mapping[str, bytes]:
-    """Libraries that come with the package for a platform, by their names."""
-    path = files("segfmu.fmu.native").joinpath("binaries", f"{platform}.tar.xz")
+    """Libraries that come with the package for a platform's processor, by their names."""
+    return _unpacked(archive_name(platform))
+
+
+@cache
+def _unpacked(archive: str) -> Mapping[str, bytes]:
+    path = files("segfmu.fmu.native").joinpath("binaries", archive)
     return unpack(path.read_bytes()) if path.is_file() else {}
 
 

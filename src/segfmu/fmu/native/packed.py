@@ -1,4 +1,4 @@
-"""Libraries of a platform in one compressed archive.
+"""Libraries for a processor in one compressed archive.
 
 They share most of their code, so that together they take half of what they take one by one.
 """

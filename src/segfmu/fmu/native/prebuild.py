@@ -1,8 +1,8 @@
 """Compile the binaries that a released wheel carries: `python -m segfmu.fmu.native.prebuild`.
 
-They lie in `binaries/` beside this file, an archive a platform, with every model and version of
-FMI; that of pages with FMI 2 alone, of the models that run there. A build takes them where its
-sources are theirs, and then needs no compiler.
+They lie in `binaries/` beside this file, an archive a processor, for every platform with every
+model and version of FMI; for pages with FMI 2 alone, of the models that run there. A build takes
+them where its sources are theirs, and then needs no compiler.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tarfile import TarError
 
 from segfmu.fmu.models import registered
 from segfmu.fmu.native.archive import VERSIONS, sources
-from segfmu.fmu.native.binaries import binary, packaged_name
+from segfmu.fmu.native.binaries import archive_name, binary, packaged_name
 from segfmu.fmu.native.compilers import BROWSER, TARGETS, portable
 from segfmu.fmu.native.packed import pack, unpack
 from segfmu.fmu.native.processes import on_all_cores
@@ -30,15 +30,18 @@ Job = tuple[str, str, int]
 
 
 def main() -> None:
-    """Write the archive of every platform; what the user's cache has is not compiled again."""
+    """Write the archive of every processor; what the user's cache has is not compiled again."""
     TARGET.mkdir(exist_ok=True)
     ordered = jobs()
-    made: dict[str, dict[str, bytes]] = {platform: {} for platform in TARGETS}
+    made: dict[str, dict[str, bytes]] = {archive_name(platform): {} for platform in TARGETS}
     for (platform, *_), (name, library) in zip(
         ordered, on_all_cores(_library, ordered), strict=True
     ):
-        made[platform][name] = library
-    for told in on_all_cores(lambda platform: _write(platform, made[platform]), list(made)):
+        made[archive_name(platform)][name] = library
+    for other in TARGET.iterdir():
+        if other.name not in made:
+            other.unlink()
+    for told in on_all_cores(lambda archive: _write(archive, made[archive]), list(made)):
         print(told, flush=True)
 
 
@@ -61,9 +64,9 @@ def _library(job: Job) -> tuple[str, bytes]:
     return packaged_name(name, texts, platform), library
 
 
-def _write(platform: str, libraries: dict[str, bytes]) -> str:
+def _write(archive: str, libraries: dict[str, bytes]) -> str:
     """Write the archive, if it is another one than before: to compress it takes seconds."""
-    path = TARGET / f"{platform}.tar.xz"
+    path = TARGET / archive
     if _kept(path) != libraries:
         beside = path.with_suffix(".new")
         beside.write_bytes(pack(libraries))
