@@ -21,8 +21,6 @@ static void polynomial_shift(array_double_1d a, double offset, int64_t count);
 static void rope_pull(double gravity, int64_t width, array_double_2d work);
 static int64_t rope_margin(int64_t demand, double bound, int64_t width, array_double_2d work);
 static double rope_value(int64_t demand, double gravity, double z, double w_x, double w_y, double w_z);
-static void polynomial_hull(array_double_1d values, int64_t count, double length);
-static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length);
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last);
 static double evaluate_piece(array_double_2d coefficients, int64_t row, int64_t width, double t, int64_t derivative);
 static double local_time(double time, array_double_2d timing, int64_t row);
@@ -45,8 +43,9 @@ static double switching_time(double time, double duration, array_double_2d timin
 static bool check_motion(int64_t axis, array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static int64_t check_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, double tolerance, double joints, array_double_2d work);
 static int64_t check_braked_plan(array_double_3d states, array_double_2d times, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d limits, array_double_2d lower, array_double_2d brakes, double tolerance, double joints, array_double_2d work);
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work);
-static int64_t acceleration_range(double* result_0, double* result_1, int64_t axis, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values);
+static void polynomial_hull(array_double_1d values, int64_t count, double length);
+static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length);
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values);
 static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work);
 static double least_depth(void);
 static bool is_easy(int64_t demand, double lowest, double highest, double pull, double square, array_double_1d bounds);
@@ -76,7 +75,6 @@ static double pieces_beyond(int64_t side, double low, double high, int64_t count
 static void begin_range(int64_t axis, double least, double most, array_double_2d ranges);
 static void widen_range(int64_t row, int64_t axis, double least, double most, array_double_2d ranges);
 static double lean_of(double pull, array_double_2d ranges);
-static int64_t carriage_range(double* result_0, double* result_1, int64_t axis, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values);
 static int64_t row_bounds(double* result_0, double* result_1, int64_t row, int64_t count, double length, array_double_2d work);
 static void span_ranges(int64_t part, double length, int64_t width, array_double_2d work, array_double_2d ranges);
 static bool is_near(int64_t part, array_double_1d box, array_double_2d ranges);
@@ -1609,35 +1607,6 @@ return gravity - w_z;
 }
 return (-z) * sqrt(w_x * w_x + w_y * w_y + w_z * w_z) / w_z;
 }
-static void polynomial_hull(array_double_1d values, int64_t count, double length) {
-double scale;
-int64_t i, r, j;
-scale = 1.0;
-for (i = 1; i < count; i += 1) {
-scale = scale * (length * i / (count - i));
-*cspan_at(&values, i) = *cspan_at(&values, i) * scale;
-}
-for (r = 1; r < count; r += 1) {
-for (j = 0; j < count - r; j += 1) {
-i = count - 1 - j;
-*cspan_at(&values, i) = *cspan_at(&values, i) + *cspan_at(&values, i - 1);
-}
-}
-}
-static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length) {
-double least, most;
-int64_t i;
-polynomial_hull(values, count, length);
-least = *cspan_at(&values, 0);
-most = least;
-for (i = 1; i < count; i += 1) {
-least = span_min(least, *cspan_at(&values, i));
-most = span_max(most, *cspan_at(&values, i));
-}
-(*result_0) = least;
-(*result_1) = most;
-return 0;
-}
 static int64_t find_piece(double time, array_double_2d timing, int64_t first, int64_t last) {
 int64_t upper, middle, lower;
 lower = first;
@@ -2085,41 +2054,51 @@ return 1 + axis;
 }
 return 0;
 }
-static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_2d work) {
-int64_t width, piece, i;
-double least, most, second;
-width = coefficients.shape[1];
-least = 1e+300;
-most = -1e+300;
-for (piece = *cspan_at(&offsets, axis); piece < *cspan_at(&offsets, axis + 1); piece += 1) {
-for (i = 0; i < width; i += 1) {
-*cspan_at(&work, 1, i) = share * *cspan_at(&coefficients, piece, i);
+static void polynomial_hull(array_double_1d values, int64_t count, double length) {
+double scale;
+int64_t i, r, j;
+scale = 1.0;
+for (i = 1; i < count; i += 1) {
+scale = scale * (length * i / (count - i));
+*cspan_at(&values, i) = *cspan_at(&values, i) * scale;
 }
-for (i = 0; i < width - 2; i += 1) {
-second = (i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2);
-*cspan_at(&work, 1, i) = *cspan_at(&work, 1, i) + lean * second;
+for (r = 1; r < count; r += 1) {
+for (j = 0; j < count - r; j += 1) {
+i = count - 1 - j;
+*cspan_at(&values, i) = *cspan_at(&values, i) + *cspan_at(&values, i - 1);
 }
-bernstein_coefficients(work, 1, width, *cspan_at(&timing, piece, 1), work);
-for (i = 0; i < width; i += 1) {
-least = span_min(least, *cspan_at(&work, 0, i));
-most = span_max(most, *cspan_at(&work, 0, i));
 }
+}
+static int64_t polynomial_bounds(double* result_0, double* result_1, array_double_1d values, int64_t count, double length) {
+double least, most;
+int64_t i;
+polynomial_hull(values, count, length);
+least = *cspan_at(&values, 0);
+most = least;
+for (i = 1; i < count; i += 1) {
+least = span_min(least, *cspan_at(&values, i));
+most = span_max(most, *cspan_at(&values, i));
 }
 (*result_0) = least;
 (*result_1) = most;
 return 0;
 }
-static int64_t acceleration_range(double* result_0, double* result_1, int64_t axis, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values) {
-int64_t width, piece, i;
-double lowest, highest, least, most;
+static int64_t sum_range(double* result_0, double* result_1, int64_t axis, double share, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values) {
+int64_t width, count, piece, i;
+double lowest, highest, second, least, most;
 width = coefficients.shape[1];
+count = share != 0.0 ? width : width - 2;
 lowest = 1e+300;
 highest = -1e+300;
 for (piece = *cspan_at(&offsets, axis); piece < *cspan_at(&offsets, axis + 1); piece += 1) {
-for (i = 0; i < width - 2; i += 1) {
-*cspan_at(&values, i) = (i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2);
+for (i = 0; i < count; i += 1) {
+*cspan_at(&values, i) = share * *cspan_at(&coefficients, piece, i);
 }
-polynomial_bounds(&least, &most, values, width - 2, *cspan_at(&timing, piece, 1));
+for (i = 0; i < width - 2; i += 1) {
+second = (i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2);
+*cspan_at(&values, i) = *cspan_at(&values, i) + lean * second;
+}
+polynomial_bounds(&least, &most, values, count, *cspan_at(&timing, piece, 1));
 lowest = span_min(lowest, least);
 highest = span_max(highest, most);
 }
@@ -2130,13 +2109,13 @@ return 0;
 static int64_t rope_ranges(double* result_0, double* result_1, double* result_2, double* result_3, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d bounds, array_double_2d work) {
 double lowest, highest, least, most, pull, square, slope;
 int64_t axis;
-sum_range(&lowest, &highest, 2, 1.0, 0.0, timing, coefficients, offsets, work);
-acceleration_range(&least, &most, 2, timing, coefficients, offsets, span_row(&work, 0));
+sum_range(&lowest, &highest, 2, 1.0, 0.0, timing, coefficients, offsets, span_row(&work, 0));
+sum_range(&least, &most, 2, 0.0, 1.0, timing, coefficients, offsets, span_row(&work, 0));
 pull = *cspan_at(&bounds, 0) + span_min(least, 0.0);
 square = 1.0;
 if (pull > 0.0) {
 for (axis = 0; axis < 2; axis += 1) {
-acceleration_range(&least, &most, axis, timing, coefficients, offsets, span_row(&work, 0));
+sum_range(&least, &most, axis, 0.0, 1.0, timing, coefficients, offsets, span_row(&work, 0));
 slope = span_max(-least, most) / pull;
 square = square + slope * slope;
 }
@@ -2735,42 +2714,20 @@ return -1.0;
 result = span_max(-*cspan_at(&ranges, 0, 2), 0.0) / pull;
 return result;
 }
-static int64_t carriage_range(double* result_0, double* result_1, int64_t axis, double lean, array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, array_double_1d values) {
-int64_t width, piece, i;
-double lowest, highest, ahead, least, most;
-width = coefficients.shape[1];
-lowest = 1e+300;
-highest = -1e+300;
-for (piece = *cspan_at(&offsets, axis); piece < *cspan_at(&offsets, axis + 1); piece += 1) {
-for (i = 0; i < width; i += 1) {
-*cspan_at(&values, i) = *cspan_at(&coefficients, piece, i);
-}
-for (i = 0; i < width - 2; i += 1) {
-ahead = lean * ((i + 1) * (i + 2) * *cspan_at(&coefficients, piece, i + 2));
-*cspan_at(&values, i) = *cspan_at(&values, i) + ahead;
-}
-polynomial_bounds(&least, &most, values, width, *cspan_at(&timing, piece, 1));
-lowest = span_min(lowest, least);
-highest = span_max(highest, most);
-}
-(*result_0) = lowest;
-(*result_1) = highest;
-return 0;
-}
 void segfmu_path_ranges(array_double_2d timing, array_double_2d coefficients, array_int64_t_1d offsets, double gravity, array_double_2d work, array_double_2d ranges) {
 int64_t axis;
 double least, most, lean;
 for (axis = 0; axis < 3; axis += 1) {
-sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, work);
+sum_range(&least, &most, axis, 1.0, 0.0, timing, coefficients, offsets, span_row(&work, 0));
 begin_range(axis, least, most, ranges);
 }
-acceleration_range(&least, &most, 2, timing, coefficients, offsets, span_row(&work, 0));
+sum_range(&least, &most, 2, 0.0, 1.0, timing, coefficients, offsets, span_row(&work, 0));
 lean = lean_of(gravity + least, ranges);
 if (lean < 0.0) {
 return;
 }
 for (axis = 0; axis < 2; axis += 1) {
-carriage_range(&least, &most, axis, lean, timing, coefficients, offsets, span_row(&work, 0));
+sum_range(&least, &most, axis, 1.0, lean, timing, coefficients, offsets, span_row(&work, 0));
 widen_range(2, axis, least, most, ranges);
 }
 }
@@ -20830,7 +20787,7 @@ int64_t degree, row, used, begin, k, place;
 double weight, by;
 program = span_row(&work, 0);
 degree = (int64_t)(*cspan_at(&program, 0));
-row = 74 + (int64_t)(*cspan_at(&program, 2));
+row = 74 + (int64_t)(*cspan_at(&program, 1));
 bound = span_row(&work, row);
 *cspan_at(&bound, 3) = 0.0;
 used = 0;
@@ -20852,7 +20809,7 @@ weight = weight + fabs(by);
 *cspan_at(&bound, 1) = used;
 *cspan_at(&bound, 2) = order;
 if (weight > 1e-12) {
-*cspan_at(&program, 2) = *cspan_at(&program, 2) + 1.0;
+*cspan_at(&program, 1) = *cspan_at(&program, 1) + 1.0;
 }
 }
 static void derivative_rows(int64_t order, array_double_2d work) {
@@ -20861,7 +20818,7 @@ array_double_1d bound;
 double weight;
 degree = (int64_t)(*cspan_at(&work, 0, 0));
 for (j = 0; j < 60 + degree - order; j += 1) {
-row = 74 + (int64_t)(*cspan_at(&work, 0, 2));
+row = 74 + (int64_t)(*cspan_at(&work, 0, 1));
 bound = span_row(&work, row);
 for (k = 0; k < degree + 1; k += 1) {
 *cspan_at(&bound, 5 + k) = 0.0;
@@ -20885,7 +20842,7 @@ array_double_1d bound;
 double t, kept, right, left, part;
 degree = (int64_t)(*cspan_at(&work, 0, 0));
 for (j = 0; j < 60 * 4 + degree; j += 1) {
-row = 74 + (int64_t)(*cspan_at(&work, 0, 2));
+row = 74 + (int64_t)(*cspan_at(&work, 0, 1));
 bound = span_row(&work, row);
 cell = span_min_int(span_floor_div(span_max_int(j - degree, 0), 4), 60 - 1);
 last = cell + degree;
@@ -20973,7 +20930,7 @@ int64_t i, degree;
 array_double_1d bound, point;
 clear_matrix(work);
 clear_column(1, work);
-for (i = 0; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&work, 0, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 if ((int64_t)(*cspan_at(&bound, 2)) == order) {
 add_square(bound, 1.0, work);
@@ -20996,7 +20953,7 @@ array_double_1d program, bound;
 int64_t count, i, side;
 double largest, sign, used, total, part, slack;
 program = span_row(&work, 0);
-count = (int64_t)(*cspan_at(&program, 2));
+count = (int64_t)(*cspan_at(&program, 1));
 largest = 0.0;
 for (i = 0; i < count; i += 1) {
 bound = span_row(&work, 74 + i);
@@ -21009,19 +20966,19 @@ largest = span_max(largest, used / *cspan_at(&bound, 13 + side));
 }
 }
 }
-*cspan_at(&program, 3) = largest;
+*cspan_at(&program, 2) = largest;
 if (largest <= 0.0) {
 return;
 }
-*cspan_at(&program, 4) = 1.0 + 0.1;
+*cspan_at(&program, 3) = 1.0 + 0.1;
 total = 0.0;
 for (i = 0; i < count; i += 1) {
 bound = span_row(&work, 74 + i);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
-part = *cspan_at(&bound, 13 + side) * *cspan_at(&program, 3);
+part = *cspan_at(&bound, 13 + side) * *cspan_at(&program, 2);
 *cspan_at(&bound, 13 + side) = part;
-slack = *cspan_at(&bound, 15 + side) + part * *cspan_at(&program, 4);
+slack = *cspan_at(&bound, 15 + side) + part * *cspan_at(&program, 3);
 slack = slack - (1.0 - 2.0 * side) * *cspan_at(&bound, 4);
 *cspan_at(&bound, 17 + side) = span_max(slack, 0.1 * span_max(part, 0.1));
 total = total + part / *cspan_at(&bound, 17 + side);
@@ -21039,7 +20996,7 @@ if (*cspan_at(&bound, 15 + side) < 1e+300) {
 }
 static double bound_miss(int64_t side, array_double_1d bound, array_double_1d program) {
 double given, result;
-given = *cspan_at(&bound, 15 + side) + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 4);
+given = *cspan_at(&bound, 15 + side) + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 3);
 result = given - (1.0 - 2.0 * side) * *cspan_at(&bound, 4) - *cspan_at(&bound, 17 + side);
 return result;
 }
@@ -21051,7 +21008,7 @@ program = span_row(&work, 0);
 product = 0.0;
 terms = 0;
 miss = 0.0;
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 *cspan_at(&bound, 4) = sum_by(bound, 0, work);
 for (side = 0; side < 2; side += 1) {
@@ -21062,7 +21019,7 @@ miss = span_max(miss, fabs(bound_miss(side, bound, program)));
 }
 }
 }
-*cspan_at(&program, 8) = product / span_max_int(terms, 1);
+*cspan_at(&program, 7) = product / span_max_int(terms, 1);
 (*result_0) = product;
 (*result_1) = miss;
 return 0;
@@ -21073,10 +21030,10 @@ int64_t i, side;
 double square, crossed, weight, part, product;
 bool result;
 program = span_row(&work, 0);
-*cspan_at(&program, 6) = 0.0;
+*cspan_at(&program, 5) = 0.0;
 clear_matrix(work);
 clear_column(2, work);
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 square = 0.0;
 crossed = 0.0;
@@ -21087,7 +21044,7 @@ part = weight * *cspan_at(&bound, 13 + side);
 square = square + weight;
 crossed = crossed + (1.0 - 2.0 * side) * part;
 weight = part * *cspan_at(&bound, 13 + side);
-*cspan_at(&program, 6) = *cspan_at(&program, 6) + weight;
+*cspan_at(&program, 5) = *cspan_at(&program, 5) + weight;
 }
 }
 add_square(bound, square, work);
@@ -21106,9 +21063,9 @@ solve_points(2, work);
 for (i = 0; i < 67; i += 1) {
 point = span_row(&work, 7 + i);
 product = *cspan_at(&point, 1) * *cspan_at(&point, 2);
-*cspan_at(&program, 6) = *cspan_at(&program, 6) - product;
+*cspan_at(&program, 5) = *cspan_at(&program, 5) - product;
 }
-result = *cspan_at(&program, 6) > 0.0;
+result = *cspan_at(&program, 5) > 0.0;
 return result;
 }
 static double wanted_product(int64_t side, double aim, bool corrected, array_double_1d bound) {
@@ -21128,8 +21085,8 @@ for (i = 0; i < 67; i += 1) {
 point = span_row(&work, 7 + i);
 slope = slope - *cspan_at(&point, 1) * *cspan_at(&point, 2);
 }
-step = (-slope) / *cspan_at(&program, 6);
-*cspan_at(&program, 5) = step;
+step = (-slope) / *cspan_at(&program, 5);
+*cspan_at(&program, 4) = step;
 solve_points(1, work);
 for (i = 0; i < 67; i += 1) {
 point = span_row(&work, 7 + i);
@@ -21143,7 +21100,7 @@ int64_t i, side;
 program = span_row(&work, 0);
 slope = 1.0;
 clear_column(1, work);
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 total = 0.0;
 for (side = 0; side < 2; side += 1) {
@@ -21158,13 +21115,13 @@ slope = slope - *cspan_at(&bound, 13 + side) * price;
 spread_by(bound, total, 1, work);
 }
 solve_share(slope, work);
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 change = sum_by(bound, 1, work);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
 slack = bound_miss(side, bound, program) - (1.0 - 2.0 * side) * change;
-slack = slack + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 5);
+slack = slack + *cspan_at(&bound, 13 + side) * *cspan_at(&program, 4);
 price = wanted_product(side, aim, corrected, bound);
 price = price - *cspan_at(&bound, 19 + side) * slack;
 *cspan_at(&bound, 21 + side) = slack;
@@ -21180,7 +21137,7 @@ int64_t i, side, terms;
 program = span_row(&work, 0);
 slack = 1.0;
 price = 1.0;
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
@@ -21195,7 +21152,7 @@ price = (-*cspan_at(&bound, 19 + side)) / *cspan_at(&bound, 23 + side);
 }
 product = 0.0;
 terms = 0;
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
@@ -21216,12 +21173,12 @@ array_double_1d program, point, bound;
 int64_t i, side;
 double left, cost;
 program = span_row(&work, 0);
-*cspan_at(&program, 4) = *cspan_at(&program, 4) + slack * *cspan_at(&program, 5);
+*cspan_at(&program, 3) = *cspan_at(&program, 3) + slack * *cspan_at(&program, 4);
 for (i = 0; i < 67; i += 1) {
 point = span_row(&work, 7 + i);
 *cspan_at(&point, 0) = *cspan_at(&point, 0) + slack * *cspan_at(&point, 1);
 }
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
@@ -21239,7 +21196,7 @@ double total, result;
 int64_t i, side;
 program = span_row(&work, 0);
 total = 0.0;
-for (i = 0; i < (int64_t)(*cspan_at(&program, 2)); i += 1) {
+for (i = 0; i < (int64_t)(*cspan_at(&program, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 for (side = 0; side < 2; side += 1) {
 if (*cspan_at(&bound, 15 + side) < 1e+300) {
@@ -21247,7 +21204,7 @@ total = total - *cspan_at(&bound, 15 + side) * *cspan_at(&bound, 19 + side);
 }
 }
 }
-result = total * *cspan_at(&program, 3);
+result = total * *cspan_at(&program, 2);
 return result;
 }
 static double least_share(double most, array_double_2d work) {
@@ -21256,14 +21213,14 @@ double unbalanced, product, miss, gap, slack, price, left, share;
 int64_t step;
 program = span_row(&work, 0);
 begin_program(work);
-if (*cspan_at(&program, 3) <= 0.0) {
+if (*cspan_at(&program, 2) <= 0.0) {
 return 0.0;
 }
 unbalanced = 1.0;
 for (step = 0; step < 60; step += 1) {
 measure_gap(&product, &miss, work);
-share = *cspan_at(&program, 4) * *cspan_at(&program, 3);
-if ((miss <= 1e-09 * span_max(share, 1.0)) && (product <= 1e-07 * *cspan_at(&program, 4))) {
+share = *cspan_at(&program, 3) * *cspan_at(&program, 2);
+if ((miss <= 1e-09 * span_max(share, 1.0)) && (product <= 1e-07 * *cspan_at(&program, 3))) {
 return share;
 }
 if ((unbalanced < 1e-07) && (lower_bound(work) > most * (1.0 + 1e-09))) {
@@ -21272,7 +21229,7 @@ return 1e+300;
 if (!weigh_bounds(work)) {
 break;
 }
-gap = *cspan_at(&program, 8);
+gap = *cspan_at(&program, 7);
 step_towards(0.0, 0, work);
 step_lengths(&slack, &price, &left, work);
 step_towards(left * left * left / (gap * gap), 1, work);
@@ -21302,7 +21259,6 @@ if (order == 0) {
 unit = span_max(unit, span_max(fabs(*cspan_at(&begin, order)), fabs(*cspan_at(&end, order))));
 power = power * duration;
 }
-*cspan_at(&program, 1) = unit;
 if (unit > 0.0) {
 for (order = 0; order < (int64_t)(*cspan_at(&program, 0)); order += 1) {
 *cspan_at(&begin, order) = *cspan_at(&begin, order) / unit;
@@ -21323,7 +21279,7 @@ double larger, sign, limit;
 int64_t i, side;
 array_double_1d bound;
 larger = span_max(side_limit(order, 1.0, axis), side_limit(order, -1.0, axis));
-for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 scale_bound(1.0 / (larger * power), bound);
 for (side = 0; side < 2; side += 1) {
@@ -21346,7 +21302,7 @@ if (!(size > 0.0)) {
 size = 1.0;
 }
 part = shared ? 1.0 : 0.0;
-for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 2)); i += 1) {
+for (i = begin; i < (int64_t)(*cspan_at(&work, 0, 1)); i += 1) {
 bound = span_row(&work, 74 + i);
 weight = 0.0;
 for (k = 0; k < (int64_t)(*cspan_at(&bound, 1)); k += 1) {
@@ -21374,7 +21330,7 @@ double unit, power, low, high, result;
 n = (int64_t)(*cspan_at(&axis, 0));
 program = span_row(&work, 0);
 *cspan_at(&program, 0) = n + 1;
-*cspan_at(&program, 2) = 0.0;
+*cspan_at(&program, 1) = 0.0;
 unit = scale_states(duration, first, last, work);
 if (!((0.0 < unit) && (unit < 1e+300))) {
 return 1e+300;
@@ -21390,7 +21346,7 @@ power = 1.0 / unit;
 for (order = 1; order < n + 2; order += 1) {
 power = power * duration;
 if (*cspan_at(&axis, 2 + order - 1) > 0.0) {
-begin = (int64_t)(*cspan_at(&program, 2));
+begin = (int64_t)(*cspan_at(&program, 1));
 derivative_rows(order, work);
 bound_derivative(order, begin, power, (!highest) || (order == top), axis, work);
 }
@@ -21398,7 +21354,7 @@ bound_derivative(order, begin, power, (!highest) || (order == top), axis, work);
 if (!begin_smoothly(top, work)) {
 return 1e+300;
 }
-begin = (int64_t)(*cspan_at(&program, 2));
+begin = (int64_t)(*cspan_at(&program, 1));
 if ((*cspan_at(&allowed, 0) > -1e+300) || (*cspan_at(&allowed, 1) < 1e+300)) {
 finer_rows(work);
 low = (*cspan_at(&allowed, 0) - *cspan_at(&first, 0)) / unit;

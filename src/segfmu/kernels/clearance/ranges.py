@@ -6,11 +6,9 @@ it is between the load and where the greatest lean of all pieces would have it.
 
 from segfmu.kernels.clearance.records import Box, Part, Ranges
 from segfmu.kernels.crane.records import RopeWork
-from segfmu.kernels.crane.rope import acceleration_range
 from segfmu.kernels.numerics.bounds import polynomial_bounds
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.trajectory.ranges import sum_range
-from segfmu.kernels.trajectory.records import Timing
 
 
 def path_ranges(
@@ -26,39 +24,15 @@ def path_ranges(
     Pieces as for `check_rope`, of `width` coefficients; work (2, width).
     """
     for axis in range(3):
-        least, most = sum_range(axis, 1.0, 0.0, timing, coefficients, offsets, work)
+        least, most = sum_range(axis, 1.0, 0.0, timing, coefficients, offsets, work[0, :])
         begin_range(axis, least, most, ranges)
-    least, most = acceleration_range(2, timing, coefficients, offsets, work[0, :])
+    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work[0, :])
     lean = lean_of(gravity + least, ranges)
     if lean < 0.0:
         return
     for axis in range(2):
-        least, most = carriage_range(axis, lean, timing, coefficients, offsets, work[0, :])
+        least, most = sum_range(axis, 1.0, lean, timing, coefficients, offsets, work[0, :])
         widen_range(Ranges.ROPE_LOW, axis, least, most, ranges)
-
-
-def carriage_range(
-    axis: int,
-    lean: float,
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
-    values: 'float[:]',
-) -> 'tuple[float, float]':
-    """Bounds of p + lean p'' in all pieces of an axis; values are work space."""
-    width = coefficients.shape[1]
-    lowest = NEVER
-    highest = -NEVER
-    for piece in range(offsets[axis], offsets[axis + 1]):
-        for i in range(width):
-            values[i] = coefficients[piece, i]
-        for i in range(width - 2):
-            ahead = lean * ((i + 1) * (i + 2) * coefficients[piece, i + 2])
-            values[i] = values[i] + ahead
-        least, most = polynomial_bounds(values, width, timing[piece, Timing.LENGTH])
-        lowest = min(lowest, least)
-        highest = max(highest, most)
-    return lowest, highest
 
 
 def span_ranges(

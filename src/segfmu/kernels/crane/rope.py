@@ -11,7 +11,6 @@ from math import sqrt
 
 from segfmu.kernels.crane._rope import rope_margin, rope_pull, rope_value
 from segfmu.kernels.crane.records import RopeBounds, RopeDemand, RopeFault, RopeWork
-from segfmu.kernels.numerics.bounds import polynomial_bounds
 from segfmu.kernels.numerics.numbers import NEVER
 from segfmu.kernels.numerics.polynomials import polynomial_shift
 from segfmu.kernels.trajectory.check import bernstein_coefficients, split_hull
@@ -105,26 +104,6 @@ def failed_demand(
     return failed
 
 
-def acceleration_range(
-    axis: int,
-    timing: 'float[:,:]',
-    coefficients: 'float[:,:]',
-    offsets: 'int[:]',
-    values: 'float[:]',
-) -> 'tuple[float, float]':
-    """Bounds of an axis's acceleration in all of its pieces; values are work space."""
-    width = coefficients.shape[1]
-    lowest = NEVER
-    highest = -NEVER
-    for piece in range(offsets[axis], offsets[axis + 1]):
-        for i in range(width - 2):
-            values[i] = (i + 1) * (i + 2) * coefficients[piece, i + 2]
-        least, most = polynomial_bounds(values, width - 2, timing[piece, Timing.LENGTH])
-        lowest = min(lowest, least)
-        highest = max(highest, most)
-    return lowest, highest
-
-
 def rope_ranges(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
@@ -136,14 +115,14 @@ def rope_ranges(
 
     The last one is the square of the greatest length of the rope over its depth, where it pulls.
     """
-    lowest, highest = sum_range(2, 1.0, 0.0, timing, coefficients, offsets, work)
-    least, most = acceleration_range(2, timing, coefficients, offsets, work[0, :])
+    lowest, highest = sum_range(2, 1.0, 0.0, timing, coefficients, offsets, work[0, :])
+    least, most = sum_range(2, 0.0, 1.0, timing, coefficients, offsets, work[0, :])
     # an axis may rest before the others do
     pull = bounds[RopeBounds.GRAVITY] + min(least, 0.0)
     square = 1.0
     if pull > 0.0:
         for axis in range(2):
-            least, most = acceleration_range(axis, timing, coefficients, offsets, work[0, :])
+            least, most = sum_range(axis, 0.0, 1.0, timing, coefficients, offsets, work[0, :])
             slope = max(-least, most) / pull
             square = square + slope * slope
     return lowest, highest, pull, square

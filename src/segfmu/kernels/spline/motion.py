@@ -73,7 +73,6 @@ def scale_states(
             begin[order] = 0.0
         unit = max(unit, max(abs(begin[order]), abs(end[order])))
         power = power * duration
-    program[Program.UNIT] = unit
     if unit > 0.0:
         for order in range(int(program[Program.DEGREE])):
             begin[order] = begin[order] / unit

@@ -27,7 +27,6 @@ class Program(Record):
     """A spline that is sought, in the time from 0 to 1 and units of length."""
 
     DEGREE = field("of the spline: n + 1")
-    UNIT = field("how far the ends alone would lead in the time", "m")
     COUNT = field("number of bounds")
     SCALE = field("share of limits at the start of the search, in which it measures shares")
     SHARE = field("share of limits that is used")

@@ -1,7 +1,7 @@
 """Ranges of an axis over all of its pieces, from Bernstein coefficients: wide, but cheap."""
 
+from segfmu.kernels.numerics.bounds import polynomial_bounds
 from segfmu.kernels.numerics.numbers import NEVER
-from segfmu.kernels.trajectory.check import bernstein_coefficients
 from segfmu.kernels.trajectory.records import Timing
 
 
@@ -12,20 +12,20 @@ def sum_range(
     timing: 'float[:,:]',
     coefficients: 'float[:,:]',
     offsets: 'int[:]',
-    work: 'float[:,:]',
+    values: 'float[:]',
 ) -> 'tuple[float, float]':
-    """Bounds of share p + lean p'' in all pieces of an axis, from their Bernstein coefficients."""
+    """Bounds of share p + lean p'' in all pieces of an axis; values are work space."""
     width = coefficients.shape[1]
-    least = NEVER
-    most = -NEVER
+    count = width if share != 0.0 else width - 2
+    lowest = NEVER
+    highest = -NEVER
     for piece in range(offsets[axis], offsets[axis + 1]):
-        for i in range(width):
-            work[1, i] = share * coefficients[piece, i]
+        for i in range(count):
+            values[i] = share * coefficients[piece, i]
         for i in range(width - 2):
             second = (i + 1) * (i + 2) * coefficients[piece, i + 2]
-            work[1, i] = work[1, i] + lean * second
-        bernstein_coefficients(work, 1, width, timing[piece, Timing.LENGTH], work)
-        for i in range(width):
-            least = min(least, work[0, i])
-            most = max(most, work[0, i])
-    return least, most
+            values[i] = values[i] + lean * second
+        least, most = polynomial_bounds(values, count, timing[piece, Timing.LENGTH])
+        lowest = min(lowest, least)
+        highest = max(highest, most)
+    return lowest, highest
