@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from segfmu import Limits, Waypoint, plan, verify
 from segfmu.kernels.planner.intervals import round_up
+from segfmu.kernels.planner.phases import stretch_phases
 from segfmu.kernels.planner.records import Cell, Nearest, Phase, PlanWork, Problem
-from segfmu.kernels.planner.synchronize import stretch_phases, timed_profile
+from segfmu.kernels.planner.synchronize import timed_profile
 from tests.campaign import SOAK, campaign
 from tests.problems import AxisProblem, axis_problems, work_space
 

@@ -609,6 +609,7 @@ static void timed_between(array_double_1d problem, array_double_1d axis, array_d
 static void note_known(array_double_2d work);
 static void clear_nearest(array_double_2d work);
 static double nearest_weight(array_double_1d problem, array_double_1d axis, array_double_1d nearest);
+static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double beyond_rounding(double value, double scale);
 static void mirror_search(array_double_1d problem, array_double_1d axis);
 static void reverse_search(array_double_1d problem, array_double_1d axis);
@@ -855,23 +856,26 @@ static void spread_levels(int64_t attempt, array_double_1d gentle);
 static void take_levels(double share, array_double_1d gentle);
 static bool solve_gentle(int64_t attempt, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
 static int64_t write_gentle(array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_1d gentle);
-static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work);
-static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool is_turning(double lowest, double highest);
 static bool turns_back(array_double_1d problem, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_gently(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static bool timed_slower(bool turning, double shortest, array_double_1d axis, array_double_2d cell, array_double_2d work);
-static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static int64_t slowed_shortest(double plain, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
-static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work);
+static int64_t slowed_shortest(double plain, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static double slower_passing(int64_t way, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_one(int64_t way, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_forwards(int64_t only, int64_t first, array_double_1d axis, array_double_2d cell, array_double_2d work);
+static double timed_in_way(int64_t only, double target, array_double_1d axis, array_double_2d cell, array_double_2d work);
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static void set_stretched(double target, bool resting, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static bool set_in_way(int64_t way, double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double gap_end(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
+static double first_in_way(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double next_feasible(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work);
 static double round_up(double duration, double sample_time);
@@ -14871,6 +14875,21 @@ return (distance - below) / (above - below);
 }
 return 0.0;
 }
+static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work) {
+array_double_1d problem, nearest;
+array_double_2d below, above;
+int64_t count;
+problem = span_row(&work, 59);
+nearest = span_row(&work, 58);
+below = span_rows(&cell, 0, 33);
+above = span_rows(&cell, 33, 66);
+count = (int64_t)(*cspan_at(&nearest, 0));
+count = surround(below, count, variant, problem, axis, work);
+*cspan_at(&nearest, 0) = fit_duration(below, count, *cspan_at(&problem, 5));
+count = (int64_t)(*cspan_at(&nearest, 2));
+count = surround(above, count, variant, problem, axis, work);
+*cspan_at(&nearest, 2) = fit_duration(above, count, *cspan_at(&problem, 5));
+}
 static double beyond_rounding(double value, double scale) {
 return fabs(value) <= 1e-09 * scale ? 0.0 : value;
 }
@@ -19829,42 +19848,6 @@ a = b;
 }
 return count;
 }
-static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work) {
-array_double_2d trial;
-int64_t count, row;
-double duration, stop;
-bool result;
-trial = span_rows(&work, 0, 21);
-cruise_form(&count, &row, &duration, &stop, trial, 0.0, problem, axis);
-result = (count >= 0) && (stop * stop > stop * *cspan_at(&problem, 4));
-return result;
-}
-static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work) {
-array_double_1d problem;
-array_double_2d phases;
-bool first, last;
-int64_t count;
-double wait;
-problem = span_row(&work, 59);
-phases = span_rows(&cell, 0, 33);
-first = (*cspan_at(&problem, 0) == 0.0) && (*cspan_at(&problem, 1) == 0.0);
-last = (*cspan_at(&problem, 2) == 0.0) && (*cspan_at(&problem, 3) == 0.0);
-if ((!first) && (!last)) {
-return -1.0;
-}
-if (!has_to_turn(problem, axis, work)) {
-return -1.0;
-}
-count = segfmu_shortest_profile(problem, axis, phases, work);
-wait = *cspan_at(&problem, 5) - total_duration(phases, span_max_int(count, 0));
-if ((count <= 0) || (count >= phases.shape[0]) || (wait < 0.0)) {
-return -1.0;
-}
-count = insert_hold(phases, count, first ? 0 : count, 0.0, wait);
-*cspan_at(&work, 58, 0) = count;
-*cspan_at(&work, 58, 2) = 0.0;
-return 0.0;
-}
 static bool is_turning(double lowest, double highest) {
 return span_min(-lowest, highest) > 1e-12 * span_max(-lowest, highest);
 }
@@ -19973,21 +19956,6 @@ factor = pow(factor, 0.75);
 }
 return 0;
 }
-static void surround_nearest(int64_t variant, array_double_1d axis, array_double_2d cell, array_double_2d work) {
-array_double_1d problem, nearest;
-array_double_2d below, above;
-int64_t count;
-problem = span_row(&work, 59);
-nearest = span_row(&work, 58);
-below = span_rows(&cell, 0, 33);
-above = span_rows(&cell, 33, 66);
-count = (int64_t)(*cspan_at(&nearest, 0));
-count = surround(below, count, variant, problem, axis, work);
-*cspan_at(&nearest, 0) = fit_duration(below, count, *cspan_at(&problem, 5));
-count = (int64_t)(*cspan_at(&nearest, 2));
-count = surround(above, count, variant, problem, axis, work);
-*cspan_at(&nearest, 2) = fit_duration(above, count, *cspan_at(&problem, 5));
-}
 static double timed_smoothly(bool turning, array_double_1d axis, array_double_2d cell, array_double_2d work) {
 double shortest, weight;
 shortest = *cspan_at(&cell, 67, 0);
@@ -20003,6 +19971,42 @@ return -1.0;
 weight = nearest_weight(span_row(&work, 59), axis, span_row(&work, 58));
 surround_nearest(0, axis, cell, work);
 return weight;
+}
+static bool has_to_turn(array_double_1d problem, array_double_1d axis, array_double_2d work) {
+array_double_2d trial;
+int64_t count, row;
+double duration, stop;
+bool result;
+trial = span_rows(&work, 0, 21);
+cruise_form(&count, &row, &duration, &stop, trial, 0.0, problem, axis);
+result = (count >= 0) && (stop * stop > stop * *cspan_at(&problem, 4));
+return result;
+}
+static double timed_waiting(array_double_1d axis, array_double_2d cell, array_double_2d work) {
+array_double_1d problem;
+array_double_2d phases;
+bool first, last;
+int64_t count;
+double wait;
+problem = span_row(&work, 59);
+phases = span_rows(&cell, 0, 33);
+first = (*cspan_at(&problem, 0) == 0.0) && (*cspan_at(&problem, 1) == 0.0);
+last = (*cspan_at(&problem, 2) == 0.0) && (*cspan_at(&problem, 3) == 0.0);
+if ((!first) && (!last)) {
+return -1.0;
+}
+if (!has_to_turn(problem, axis, work)) {
+return -1.0;
+}
+count = segfmu_shortest_profile(problem, axis, phases, work);
+wait = *cspan_at(&problem, 5) - total_duration(phases, span_max_int(count, 0));
+if ((count <= 0) || (count >= phases.shape[0]) || (wait < 0.0)) {
+return -1.0;
+}
+count = insert_hold(phases, count, first ? 0 : count, 0.0, wait);
+*cspan_at(&work, 58, 0) = count;
+*cspan_at(&work, 58, 2) = 0.0;
+return 0.0;
 }
 static double timed_braked(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, rest;
@@ -20035,6 +20039,24 @@ return weight;
 }
 return -1.0;
 }
+static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work) {
+array_double_1d problem;
+double result;
+problem = span_row(&work, 59);
+if (!timed_extremes(axis, cell, work)) {
+return -1.0;
+}
+if (!is_enclosed(work)) {
+timed_between(problem, axis, cell, work);
+timed_loop(problem, axis, cell, work);
+}
+if (!is_enclosed(work)) {
+return -1.0;
+}
+surround_nearest(0, axis, cell, work);
+result = nearest_weight(problem, axis, span_row(&work, 58));
+return result;
+}
 static int64_t slowed_shortest(double plain, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 int64_t again, count, result;
 again = search_again(plain, problem, axis, work);
@@ -20054,27 +20076,32 @@ count = segfmu_shortest_profile(problem, axis, phases, work);
 result = slower_form(count, phases, problem, axis, work);
 return result;
 }
-static double slower_passing(array_double_1d axis, array_double_2d cell, array_double_2d work) {
+static double slower_passing(int64_t way, array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem;
 array_double_2d phases;
+double effort, plain;
 int64_t count;
-if (*cspan_at(&axis, 38) == 0.0) {
-return -1.0;
-}
 problem = span_row(&work, 59);
 phases = span_rows(&cell, 0, 33);
-count = 0;
-if (*cspan_at(&cell, 67, 6) != 0.0) {
-count = slowed_shortest(0.0, phases, problem, axis, work);
-if ((count == 0) && (*cspan_at(&axis, 12) == 2)) {
+effort = *cspan_at(&axis, 12);
+plain = 0.0;
+if (way == 5) {
+plain = 1.0;
+if (ramps_suffice(axis)) {
+return -1.0;
+}
+}
+else if (*cspan_at(&cell, 67, 6) == 0.0) {
+return -1.0;
+}
+else if (way == 4) {
+if (effort != 2) {
+return -1.0;
+}
 *cspan_at(&axis, 12) = 0;
-count = slowed_shortest(0.0, phases, problem, axis, work);
-*cspan_at(&axis, 12) = 2;
 }
-}
-if ((count == 0) && (!ramps_suffice(axis))) {
-count = slowed_shortest(1.0, phases, problem, axis, work);
-}
+count = slowed_shortest(plain, phases, problem, axis, work);
+*cspan_at(&axis, 12) = effort;
 if (count == 0) {
 return -1.0;
 }
@@ -20083,74 +20110,87 @@ count = fit_duration(phases, count, *cspan_at(&problem, 5));
 *cspan_at(&work, 58, 2) = 0.0;
 return 0.0;
 }
-static double between_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work) {
-array_double_1d problem;
+static double timed_one(int64_t way, array_double_1d axis, array_double_2d cell, array_double_2d work) {
 double result;
-problem = span_row(&work, 59);
-if (!timed_extremes(axis, cell, work)) {
-return -1.0;
-}
-if (!is_enclosed(work)) {
-timed_between(problem, axis, cell, work);
-timed_loop(problem, axis, cell, work);
-}
-if (!is_enclosed(work)) {
-return -1.0;
-}
-surround_nearest(0, axis, cell, work);
-result = nearest_weight(problem, axis, span_row(&work, 58));
+if ((way == 0) || (way == 8)) {
+result = timed_smoothly(way == 8, axis, cell, work);
 return result;
 }
-static double timed_forwards(array_double_1d axis, array_double_2d cell, array_double_2d work) {
-double weight;
-weight = timed_smoothly(0, axis, cell, work);
-if (weight < 0.0) {
-weight = timed_waiting(axis, cell, work);
+if (way == 1) {
+result = timed_waiting(axis, cell, work);
+return result;
 }
-if (weight >= 0.0) {
-return weight;
+if (way == 2) {
+result = timed_braked(axis, cell, work);
+return result;
 }
-weight = timed_braked(axis, cell, work);
-if (weight == -2) {
+if (*cspan_at(&axis, 38) == 0.0) {
 return -1.0;
 }
-if ((weight < 0.0) && (*cspan_at(&axis, 38) != 0.0)) {
-weight = slower_passing(axis, cell, work);
-if (weight < 0.0) {
-weight = between_extremes(axis, cell, work);
+if (way == 6) {
+result = between_extremes(axis, cell, work);
+return result;
 }
-if (weight < 0.0) {
-weight = timed_dipped(axis, cell, work);
+if (way == 7) {
+result = timed_dipped(axis, cell, work);
+return result;
 }
+result = slower_passing(way, axis, cell, work);
+return result;
 }
-if (weight < 0.0) {
-weight = timed_smoothly(1, axis, cell, work);
-}
+static double timed_forwards(int64_t only, int64_t first, array_double_1d axis, array_double_2d cell, array_double_2d work) {
+int64_t way;
+bool asked, again;
+double weight;
+for (way = 0; way < 9; way += 1) {
+asked = (only == -1) || (only == first + way);
+asked = asked || ((way == 2) && (only == first + 6));
+again = (first > 0) && (way >= 3) && (way <= 5);
+if (asked && (!again)) {
+weight = timed_one(way, axis, cell, work);
+if (weight >= 0.0) {
+*cspan_at(&work, 58, 5) = first + way;
 return weight;
 }
-double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work) {
+if (weight == -2) {
+break;
+}
+}
+}
+return -1.0;
+}
+static double timed_in_way(int64_t only, double target, array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, nearest;
-int64_t mirrored, turned, below, above;
+int64_t mirrored, turned, turn, below, above;
 double weight;
 problem = span_row(&work, 59);
+nearest = span_row(&work, 58);
 boundary_problem(span_row(&cell, 66), axis, problem);
 *cspan_at(&problem, 5) = target;
 orient(&mirrored, &turned, problem, axis);
-weight = timed_forwards(axis, cell, work);
+weight = -1.0;
+for (turn = 0; turn < 2; turn += 1) {
 if (weight < 0.0) {
+if (turn > 0) {
 turned = 1 - turned;
 reverse_search(problem, axis);
-weight = timed_forwards(axis, cell, work);
+}
+weight = timed_forwards(only, 9 * turn, axis, cell, work);
+}
 }
 turn_back(mirrored, turned, problem, axis);
 if (weight >= 0.0) {
-nearest = span_row(&work, 58);
 below = (int64_t)(*cspan_at(&nearest, 0));
 above = (int64_t)(*cspan_at(&nearest, 2));
 turn_phases(mirrored, turned, below, span_rows(&cell, 0, 33));
 turn_phases(mirrored, turned, above, span_rows(&cell, 33, 66));
 }
 return weight;
+}
+double segfmu_timed_profile(double target, array_double_1d axis, array_double_2d cell, array_double_2d work) {
+double result;
+result = timed_in_way(-1, target, axis, cell, work);
+return result;
 }
 static int64_t set_shortest(int64_t* result_0, double* result_1_0001, array_double_2d cell, array_double_1d axis, array_double_2d work) {
 array_double_1d problem;
@@ -20194,7 +20234,7 @@ else if (resting) {
 stretch_phases(phases, count, target / duration);
 }
 }
-static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+static bool set_in_way(int64_t way, double target, array_double_2d cell, array_double_1d axis, array_double_2d work) {
 double delay, shortest, weight;
 bool resting;
 delay = *cspan_at(&cell, 68, 2);
@@ -20207,7 +20247,7 @@ if (resting || (target <= shortest * (1.0 + 1e-13))) {
 set_stretched(target - delay, resting, cell, axis, work);
 return 1;
 }
-weight = segfmu_timed_profile(target - delay, axis, cell, work);
+weight = timed_in_way(way, target - delay, axis, cell, work);
 if (weight < 0.0) {
 return 0;
 }
@@ -20215,6 +20255,11 @@ return 0;
 *cspan_at(&cell, 67, 3) = *cspan_at(&work, 58, 0);
 *cspan_at(&cell, 67, 4) = *cspan_at(&work, 58, 2);
 return 1;
+}
+static bool set_duration(double target, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+bool result;
+result = set_in_way(-1, target, cell, axis, work);
+return result;
 }
 static double gap_end(double start, double most, array_double_2d cell, array_double_1d axis, array_double_2d work) {
 double after, delay, duration;
@@ -20239,21 +20284,43 @@ break;
 }
 return most;
 }
-static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+static double first_in_way(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+int64_t way, i;
 double duration;
-int64_t i;
-duration = inside * (1.0 - 1e-09);
+way = (int64_t)(*cspan_at(&work, 58, 5));
 for (i = 0; i < 100; i += 1) {
 if (inside - outside <= 1e-09 * inside) {
 break;
 }
+duration = 0.5 * (outside + inside);
+if (set_in_way(way, duration, cell, axis, work)) {
+inside = duration;
+}
+else {
+outside = duration;
+}
+}
+return inside;
+}
+static double first_feasible(double outside, double inside, array_double_2d cell, array_double_1d axis, array_double_2d work) {
+int64_t sweep, i;
+double duration;
+for (sweep = 0; sweep < 24; sweep += 1) {
+duration = inside * (1.0 - 1e-09);
+if ((duration <= outside) || (!set_duration(duration, cell, axis, work))) {
+break;
+}
+inside = duration;
+for (i = 0; i < 4; i += 1) {
+duration = 0.5 * (outside + inside);
 if (set_duration(duration, cell, axis, work)) {
 inside = duration;
 }
 else {
 outside = duration;
 }
-duration = 0.5 * (outside + inside);
+}
+inside = first_in_way(outside, inside, cell, axis, work);
 }
 return inside;
 }

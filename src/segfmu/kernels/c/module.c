@@ -3478,7 +3478,7 @@ static PyObject *call_timed_profile(
   && take_float(&call, 0, &in_target)
   && (in_axis = take_array(&call, 1, 1, 'd', true)) != NULL
   && (in_cell = take_array(&call, 2, 2, 'd', true)) != NULL
-  && (in_work = take_array(&call, 3, 2, 'd', true)) != NULL
+  && (in_work = take_array(&call, 3, 2, 'd', false)) != NULL
   && has_at_least(&call, "axis", 0, in_axis->shape[0], 50)
   && has_at_least(&call, "cell", 0, in_cell->shape[0], 69)
   && has_at_least(&call, "cell", 1, in_cell->shape[1], 7)

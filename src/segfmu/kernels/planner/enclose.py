@@ -5,9 +5,10 @@ and distances in the row NEAREST of the work space.
 """
 
 from segfmu.kernels.numerics.numbers import COVERED
+from segfmu.kernels.planner.braking import surround
 from segfmu.kernels.planner.merged import same_members, set_family, set_member, tempered_form
-from segfmu.kernels.planner.phases import speed_bound
-from segfmu.kernels.planner.records import Nearest, PlanWork, Problem
+from segfmu.kernels.planner.phases import fit_duration, speed_bound
+from segfmu.kernels.planner.records import Cell, Nearest, PlanWork, Problem
 from segfmu.kernels.planner.timed_cruise import (
     between_cruises,
     cruise_range,
@@ -95,3 +96,17 @@ def nearest_weight(problem: 'float[:]', axis: 'float[:]', nearest: 'float[:]') -
     if distance - below > tiny:
         return (distance - below) / (above - below)
     return 0.0
+
+
+def surround_nearest(
+    variant: int, axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]'
+) -> None:
+    """Add a variant's braking phases to both profiles, and give them the exact duration."""
+    problem, nearest = work[PlanWork.PROBLEM, :], work[PlanWork.NEAREST, :]
+    below, above = cell[Cell.BELOW:Cell.ABOVE, :], cell[Cell.ABOVE:Cell.PROBLEM, :]
+    count = int(nearest[Nearest.BELOW_COUNT])
+    count = surround(below, count, variant, problem, axis, work)
+    nearest[Nearest.BELOW_COUNT] = fit_duration(below, count, problem[Problem.DURATION])
+    count = int(nearest[Nearest.ABOVE_COUNT])
+    count = surround(above, count, variant, problem, axis, work)
+    nearest[Nearest.ABOVE_COUNT] = fit_duration(above, count, problem[Problem.DURATION])

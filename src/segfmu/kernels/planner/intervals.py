@@ -7,17 +7,28 @@ the share of the second one.
 
 from math import ceil
 
-from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME
+from segfmu.kernels.numerics.numbers import GAINED, HALVINGS, LAST_DIGIT, NEARLY, SAME, TRIES
 from segfmu.kernels.planner.gaps import gap_ends
 from segfmu.kernels.planner.parameters import ramps_suffice
 from segfmu.kernels.planner.phases import append_hold, is_resting, stretch_phases, total_duration
 from segfmu.kernels.planner.profile import shortest_profile
-from segfmu.kernels.planner.records import Axis, Cell, Interval, Nearest, Phase, Place, PlanWork
-from segfmu.kernels.planner.synchronize import timed_profile
+from segfmu.kernels.planner.records import (
+    Axis,
+    Cell,
+    Interval,
+    Nearest,
+    Phase,
+    Place,
+    PlanWork,
+    Way,
+)
+from segfmu.kernels.planner.synchronize import timed_in_way
 
 # how a duration grows at first that is looked for in a gap, and how the growth itself does: windows
 # get longer
 GROWTH = 1.005
+# halvings with all ways of finding profiles towards the first feasible duration
+IN_ALL = 4
 # durations that are tried before a known end of a gap: windows there are near its begin
 BEFORE_END = 3
 # meetings of axes until there is no common duration
@@ -61,6 +72,13 @@ def set_stretched(
 
 def set_duration(target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]') -> bool:
     """Write a profile of the given duration [s], delay included; False if that is not feasible."""
+    return set_in_way(Way.ANY, target, cell, axis, work)
+
+
+def set_in_way(
+    way: int, target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> bool:
+    """`set_duration` with what one way (Way) finds."""
     delay = cell[Cell.PLACE, Place.DELAY]
     shortest = cell[Cell.RESULT, Interval.SHORTEST]
     if target < shortest * (1.0 - SAME):
@@ -69,7 +87,7 @@ def set_duration(target: float, cell: 'float[:,:]', axis: 'float[:]', work: 'flo
     if resting or target <= shortest * (1.0 + SAME):
         set_stretched(target - delay, resting, cell, axis, work)
         return True
-    weight = timed_profile(target - delay, axis, cell, work)
+    weight = timed_in_way(way, target - delay, axis, cell, work)
     if weight < 0.0:
         return False
     cell[Cell.RESULT, Interval.WEIGHT] = weight
@@ -130,16 +148,39 @@ def next_feasible(
 def first_feasible(
     outside: float, inside: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> float:
-    """The first feasible duration between an infeasible and a feasible one."""
-    duration = inside * (1.0 - NEARLY)
+    """The first feasible duration between an infeasible and a feasible one.
+
+    To try all ways takes long, so after a few halvings only that is tried which found a profile
+    last, and all of them again right before what it finds.
+    """
+    for sweep in range(TRIES):
+        duration = inside * (1.0 - NEARLY)
+        if duration <= outside or not set_duration(duration, cell, axis, work):
+            break
+        inside = duration
+        for i in range(IN_ALL):
+            duration = 0.5 * (outside + inside)
+            if set_duration(duration, cell, axis, work):
+                inside = duration
+            else:
+                outside = duration
+        inside = first_in_way(outside, inside, cell, axis, work)
+    return inside
+
+
+def first_in_way(
+    outside: float, inside: float, cell: 'float[:,:]', axis: 'float[:]', work: 'float[:,:]'
+) -> float:
+    """`first_feasible` in the way in which the last profile was found, that of `inside`."""
+    way = int(work[PlanWork.NEAREST, Nearest.WAY])
     for i in range(HALVINGS):
         if inside - outside <= NEARLY * inside:
             break
-        if set_duration(duration, cell, axis, work):
+        duration = 0.5 * (outside + inside)
+        if set_in_way(way, duration, cell, axis, work):
             inside = duration
         else:
             outside = duration
-        duration = 0.5 * (outside + inside)
     return inside
 
 

@@ -84,6 +84,25 @@ class Weight(Codes):
     UNBRAKED = -2
 
 
+class Way(Codes):
+    """Ways in which `timed_profile` looks for profiles, in the order in which they are tried.
+
+    TURNED is added where the time is reversed. ANY: all of them.
+    """
+
+    SMOOTH = 0
+    WAITING = 1
+    RAMPS = 2
+    PASSING = 3
+    PASSING_USUAL = 4
+    PASSING_PLAIN = 5
+    EXTREMES = 6
+    DIPPED = 7
+    TURNING = 8
+    TURNED = 9
+    ANY = -1
+
+
 class Rises(Codes):
     """How steep the rises of the ramps are (parameters.py).
 
@@ -421,6 +440,7 @@ class Nearest(Record):
     ABOVE_COUNT = field("number of phases of the one that covers the distance; 0: none")
     ABOVE_DISTANCE = field("its distance", "m")
     KNOWN = field("-1, 1: without braking only one that falls short, or covers it; 0: neither")
+    WAY = field("in which they were found last (Way)")
 
 
 class Refusal(Record):

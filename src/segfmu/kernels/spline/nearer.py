@@ -9,7 +9,7 @@ from segfmu.kernels.numerics.numbers import SAME
 from segfmu.kernels.planner.phases import append_phase, is_resting, measure_phases
 from segfmu.kernels.planner.profile import shortest_profile
 from segfmu.kernels.planner.records import Axis, Cell, Interval, Place, Problem, WaypointState
-from segfmu.kernels.planner.synchronize import is_turning
+from segfmu.kernels.planner.smoothly import is_turning
 from segfmu.kernels.spline.motion import spline_share
 from segfmu.kernels.spline.pieces import end_levels
 from segfmu.kernels.spline.records import Derivatives, Level, Mesh, SplineWork
