@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from benchmarks import hooks
 
+from tests.campaign import SOAK
+
 
 def test_a_plan_takes_at_most_15_percent_longer_than_the_optimum() -> None:
     rows = {row["plan"]: row["over optimum"] for row in hooks._durations(100)}
@@ -18,9 +20,10 @@ def test_the_feedforward_with_the_hook_leaves_no_sway() -> None:
     assert min(plain, smooth) > 0.01
 
 
+@pytest.mark.soak
 def test_the_feedback_leaves_less_than_a_quarter_of_the_gantrys() -> None:
     """Of that which is awake, and of that which sleeps and leaves what its feedforward does."""
-    for row in hooks._corners(quick=False):
+    for row in hooks._corners(quick=not SOAK):
         assert row["hook + feedback deg"] < 0.005
         for other in ("gantry + feedback deg", "gantry deg"):
             assert not row["hook + feedback deg"] >= 0.25 * row[other]

@@ -7,13 +7,15 @@ import re
 from pathlib import Path
 
 from segfmu.codegen import extension, native, stubs
+from segfmu.codegen.amalgam import KERNELS
 from segfmu.codegen.functions import functions
-from tests.codegen.generated import generated
+from tests.codegen.generated import generated, needed
 from tests.compiler import STRICT
 
 
 def test_generated_c_is_up_to_date() -> None:
-    texts = json.loads(generated("C", lambda: json.dumps(native.generate())))
+    files = {*needed(native.__name__), *KERNELS.rglob("*.py")}
+    texts = json.loads(generated("C", lambda: json.dumps(native.generate()), sorted(files)))
     for name, text in (texts | extension.generate()).items():
         assert (native.TARGET / name).read_text(encoding="utf-8") == text, name
 

@@ -60,8 +60,8 @@ def test_a_log_of_few_rows_stays_as_it_is() -> None:
 
 def test_a_search_takes_few_rows_and_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     """At 1 kHz it took minutes, by which it told the same."""
-    monkeypatch.setattr(synthetic_logs, "ROWS_OF_PERIOD", 800)
-    log = synthetic("lab", "velocity", 2, rows=1600)
+    monkeypatch.setattr(synthetic_logs, "ROWS_OF_PERIOD", 400)
+    log = synthetic("lab", "velocity", 2, rows=800)
     keys = ["bridge.lag", "sensors.rope.zero", "friction.sway.viscous"]
     rows: list[int] = []
     run = Model.run
