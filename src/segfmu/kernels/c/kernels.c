@@ -10492,14 +10492,18 @@ return result;
 return 1.0;
 }
 static void note_ease(int64_t attempt, double pace, double steepness, double speed, array_double_2d operation) {
-double share;
+double share, most;
 array_double_1d progress;
 share = 0.7;
 if (span_min(pace, speed) < 1.0) {
 share = 0.98 * pace;
 }
 if (is_slower(attempt) && (steepness == 1.0)) {
-share = span_min(share, 0.7);
+most = 0.7;
+if (attempt >= 7) {
+most = 0.87;
+}
+share = span_min(share, most);
 }
 if (speed < 1.0) {
 speed = 0.98 * speed;

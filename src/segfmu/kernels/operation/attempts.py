@@ -21,6 +21,8 @@ from segfmu.kernels.planner.records import Lower
 CLOSER = 0.98
 # pace over that of a plan which failed, where that tells none; the most where it was slower before
 CALMER = 0.7
+# the most of a stop that was slower before: what the load has of jerk and snap is left in time
+CALMER_STOP = 0.87
 
 
 def is_slower(attempt: int) -> bool:
@@ -58,7 +60,10 @@ def note_ease(
     if min(pace, speed) < 1.0:
         share = CLOSER * pace
     if is_slower(attempt) and steepness == 1.0:
-        share = min(share, CALMER)
+        most = CALMER
+        if attempt >= Attempt.STOP:
+            most = CALMER_STOP
+        share = min(share, most)
     if speed < 1.0:
         speed = CLOSER * speed
     progress = operation[Operation.PROGRESS, :]
