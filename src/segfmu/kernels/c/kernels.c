@@ -833,12 +833,6 @@ static bool goes_back(int64_t axis, array_double_2d operation, array_double_3d t
 static bool reach_velocities(bool slow, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static bool seek_velocity(bool slow, double until, array_double_2d operation, array_double_2d limits, array_double_3d timing, array_double_3d coefficients, array_int64_t_1d offsets, array_double_3d states, array_double_2d lead);
 static int64_t insert_end(double duration, double after, int64_t count, array_double_2d ends);
-static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases);
-static double cruise_sample(int64_t sample, double fastest, double backwards);
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
-static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
@@ -19380,108 +19374,6 @@ if (place < count) {
 }
 return count;
 }
-static int64_t cruise_times(double* result_0, double* result_1_0001, double cruise, array_double_1d problem, array_double_1d axis, array_double_2d phases) {
-int64_t count, row;
-double duration, y, rest;
-cruise_form(&count, &row, &duration, &y, phases, cruise, problem, axis);
-if (count < 0) {
-(*result_0) = 1e+300;
-(*result_1_0001) = 1e+300;
-return 0;
-}
-rest = *cspan_at(&problem, 4) - y;
-if (rest * cruise <= 0.0) {
-(*result_0) = duration;
-(*result_1_0001) = 1e+300;
-return 0;
-}
-(*result_0) = duration;
-(*result_1_0001) = duration + rest / cruise;
-return 0;
-}
-static double cruise_time(double cruise, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases) {
-double duration, covered;
-cruise_times(&duration, &covered, cruise, problem, axis, phases);
-return covering ? covered : duration;
-}
-static double turning_time(double lower, double upper, bool covering, array_double_1d problem, array_double_1d axis, array_double_2d phases) {
-double p, q, t_p, t_q;
-int64_t i;
-p = upper - 0.6180339887498949 * (upper - lower);
-q = lower + 0.6180339887498949 * (upper - lower);
-t_p = cruise_time(p, covering, problem, axis, phases);
-t_q = cruise_time(q, covering, problem, axis, phases);
-for (i = 0; i < 30; i += 1) {
-if (t_p <= t_q) {
-upper = q;
-q = p;
-t_q = t_p;
-p = upper - 0.6180339887498949 * (upper - lower);
-t_p = cruise_time(p, covering, problem, axis, phases);
-}
-else {
-lower = p;
-p = q;
-t_p = t_q;
-q = lower + 0.6180339887498949 * (upper - lower);
-t_q = cruise_time(q, covering, problem, axis, phases);
-}
-}
-return span_min(t_p, t_q);
-}
-static double cruise_sample(int64_t sample, double fastest, double backwards) {
-double share;
-share = 2.0 * sample / 24 - 1.0;
-return share < 0.0 ? backwards * share : fastest * share;
-}
-static int64_t insert_turn(int64_t sample, bool covering, double least, double spent, double after, double fastest, double backwards, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count) {
-array_double_2d phases, ends;
-double lower, upper, turn;
-int64_t result;
-if (spent + least <= after) {
-return count;
-}
-phases = span_rows(&work, 0, 21);
-ends = span_rows(&work, 42, 58);
-lower = cruise_sample(span_max_int(sample - 1, 0), fastest, backwards);
-upper = cruise_sample(span_min_int(sample + 1, 24), fastest, backwards);
-turn = turning_time(lower, upper, covering, problem, axis, phases);
-result = insert_end(spent + span_min(turn, least), after, count, ends);
-return result;
-}
-static int64_t turning_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count) {
-array_double_2d phases;
-double first, second, first_covered, second_covered, fastest, backwards, third, third_covered, cruise;
-int64_t i;
-phases = span_rows(&work, 0, 21);
-first = 1e+300;
-second = 1e+300;
-first_covered = 1e+300;
-second_covered = 1e+300;
-fastest = speed_bound(1.0, 4.0 * after, problem, axis);
-backwards = speed_bound(-1.0, 4.0 * after, problem, axis);
-for (i = 0; i < 24 + 2; i += 1) {
-third = 1e+300;
-third_covered = 1e+300;
-if (i < 24 + 1) {
-cruise = cruise_sample(i, fastest, backwards);
-cruise_times(&third, &third_covered, cruise, problem, axis, phases);
-}
-if ((second < 1e+300) && (first >= second) && (third >= second)) {
-count = insert_turn(i - 1, 0, second, spent, after, fastest, backwards, problem, axis, work, count);
-}
-if ((second_covered < 1e+300) && (first_covered >= second_covered)) {
-if (third_covered >= second_covered) {
-count = insert_turn(i - 1, 1, second_covered, spent, after, fastest, backwards, problem, axis, work, count);
-}
-}
-first = second;
-second = third;
-first_covered = second_covered;
-second_covered = third_covered;
-}
-return count;
-}
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends) {
 double duration;
 int64_t result;
@@ -19542,7 +19434,6 @@ if (taken < 0) {
 continue;
 }
 count = covering_ends(spent, after, rest, axis, work, count);
-count = turning_ends(spent, after, rest, axis, work, count);
 }
 return count;
 }
@@ -20315,7 +20206,7 @@ if ((duration <= outside) || (!set_duration(duration, cell, axis, work))) {
 break;
 }
 inside = duration;
-for (i = 0; i < 4; i += 1) {
+for (i = 0; i < 3; i += 1) {
 duration = 0.5 * (outside + inside);
 if (set_duration(duration, cell, axis, work)) {
 inside = duration;
@@ -20337,6 +20228,9 @@ growth = 1.005;
 for (i = 0; i < 100; i += 1) {
 duration = span_min(after * growth, end);
 if ((i == 3) && (end < most)) {
+duration = 0.5 * (after + end);
+}
+else if ((i > 3) && (end < most)) {
 duration = end;
 }
 if (set_duration(duration, cell, axis, work)) {

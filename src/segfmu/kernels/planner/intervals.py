@@ -27,9 +27,8 @@ from segfmu.kernels.planner.synchronize import timed_in_way
 # how a duration grows at first that is looked for in a gap, and how the growth itself does: windows
 # get longer
 GROWTH = 1.005
-# halvings with all ways of finding profiles towards the first feasible duration
-IN_ALL = 4
-# durations that are tried before a known end of a gap: windows there are near its begin
+# durations that are tried before a known end of a gap, where windows are near its begin, and
+# halvings towards the first feasible duration in all ways of finding profiles
 BEFORE_END = 3
 # meetings of axes until there is no common duration
 SWEEPS = 100000
@@ -133,6 +132,8 @@ def next_feasible(
     for i in range(HALVINGS):
         duration = min(after * growth, end)
         if i == BEFORE_END and end < most:
+            duration = 0.5 * (after + end)
+        elif i > BEFORE_END and end < most:
             duration = end
         if set_duration(duration, cell, axis, work):
             if duration == end and axis[Axis.PLATEAU] != 0.0 and ramps_suffice(axis):
@@ -158,7 +159,7 @@ def first_feasible(
         if duration <= outside or not set_duration(duration, cell, axis, work):
             break
         inside = duration
-        for i in range(IN_ALL):
+        for i in range(BEFORE_END):
             duration = 0.5 * (outside + inside)
             if set_duration(duration, cell, axis, work):
                 inside = duration
