@@ -10,6 +10,8 @@ from segfmu.kernels.spline.records import Mesh
 
 # of the first random problems of each smoothness some whose ramps lead farther by up to 14 %
 NEAR = ((3, (42, 50, 58, 112, 114)), (4, (6, 10, 13, 23, 25, 33, 72, 73, 84, 91)))
+# and some that go farther than theirs to the other side, by less than that
+OTHER_SIDE = ((2, (91,)), (3, (171, 182, 267)), (4, (187, 228, 296)))
 
 
 def problems(n: int, numbers: tuple[int, ...]) -> list[Moving]:
@@ -27,7 +29,7 @@ def farthest(problem: Moving) -> float:
     return max(shares)
 
 
-@pytest.mark.parametrize(("n", "numbers"), NEAR)
+@pytest.mark.parametrize(("n", "numbers"), NEAR + OTHER_SIDE)
 def test_an_axis_that_has_time_goes_as_far_as_its_shortest_profile(
     n: int, numbers: tuple[int, ...]
 ) -> None:

@@ -21662,7 +21662,7 @@ used = append_phase(span_rows(&cell, 0, 66), used, duration / 60.0, 0.0, level, 
 }
 static void bring_nearer(array_double_2d cell, array_double_1d axis, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline) {
 double distance, low, high, above, below, own_above, own_below, path, duration;
-int64_t count;
+int64_t count, attempt;
 array_double_2d phases;
 array_double_1d first, last, allowed;
 distance = *cspan_at(&cell, 66, 4);
@@ -21692,12 +21692,19 @@ return;
 first = span_row(&spline, 4);
 last = span_row(&spline, 5);
 allowed = span_row(&spline, 6);
-*cspan_at(&allowed, 0) = low - span_max(own_below, span_min(own_below + 0.01 * path, below));
-*cspan_at(&allowed, 1) = high + span_max(own_above, span_min(own_above + 0.01 * path, above));
 write_edges(cell, first, last);
 duration = *cspan_at(&cell, 67, 1) - *cspan_at(&cell, 68, 2);
+for (attempt = 0; attempt < 2; attempt += 1) {
+*cspan_at(&allowed, 0) = low - own_below - 0.01 * path;
+*cspan_at(&allowed, 1) = high + own_above + 0.01 * path;
+if (attempt == 0) {
+*cspan_at(&allowed, 0) = span_max(*cspan_at(&allowed, 0), low - span_max(own_below, below));
+*cspan_at(&allowed, 1) = span_min(*cspan_at(&allowed, 1), high + span_max(own_above, above));
+}
 if (segfmu_spline_share(1, duration, first, last, allowed, axis, spline) <= 1.0) {
 write_phases(duration, cell, axis, spline);
+return;
+}
 }
 }
 static void stay_near(array_double_2d axes, array_double_3d cells, array_double_2d timing, array_double_2d coefficients, array_double_2d planner, array_double_2d expansion, array_double_2d spline) {

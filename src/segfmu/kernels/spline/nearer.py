@@ -80,13 +80,18 @@ def bring_nearer(
         return
     first, last = spline[SplineWork.FIRST, :], spline[SplineWork.LAST, :]
     allowed = spline[SplineWork.ALLOWED, :]
-    # nor farther than the profile that is replaced
-    allowed[0] = low - max(own_below, min(own_below + FARTHER * path, below))
-    allowed[1] = high + max(own_above, min(own_above + FARTHER * path, above))
     write_edges(cell, first, last)
     duration = cell[Cell.RESULT, Interval.DURATION] - cell[Cell.PLACE, Place.DELAY]
-    if spline_share(True, duration, first, last, allowed, axis, spline) <= 1.0:
-        write_phases(duration, cell, axis, spline)
+    # if possible, to neither side farther than the profile that is replaced
+    for attempt in range(2):
+        allowed[0] = low - own_below - FARTHER * path
+        allowed[1] = high + own_above + FARTHER * path
+        if attempt == 0:
+            allowed[0] = max(allowed[0], low - max(own_below, below))
+            allowed[1] = min(allowed[1], high + max(own_above, above))
+        if spline_share(True, duration, first, last, allowed, axis, spline) <= 1.0:
+            write_phases(duration, cell, axis, spline)
+            return
 
 
 def write_edges(cell: 'float[:,:]', first: 'float[:]', last: 'float[:]') -> None:
