@@ -836,8 +836,8 @@ static int64_t insert_end(double duration, double after, int64_t count, array_do
 static int64_t insert_covering(array_double_2d phases, int64_t taken, double spent, double after, array_double_1d problem, array_double_1d axis, int64_t count, array_double_2d ends);
 static int64_t covering_ends(double spent, double after, array_double_1d problem, array_double_1d axis, array_double_2d work, int64_t count);
 static int64_t gap_ends(double after, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work);
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static void set_extreme(double sign, array_double_1d problem, array_double_1d axis, array_double_2d work);
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work);
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work);
 static void polynomial_levels(array_double_1d problem, array_double_1d gentle);
 static int64_t gentle_hold(double* result_0_0001, double* result_1, double level, array_double_1d problem, array_double_1d axis);
@@ -19437,7 +19437,7 @@ count = covering_ends(spent, after, rest, axis, work, count);
 }
 return count;
 }
-static void set_extreme(double sign, double pace, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+static void set_extreme(double sign, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 array_double_1d passing;
 double duration, acceleration;
 int64_t i, q;
@@ -19447,7 +19447,7 @@ for (i = 0; i < 26; i += 1) {
 *cspan_at(&passing, i) = 0.0;
 }
 *cspan_at(&passing, 1) = *cspan_at(&axis, 38);
-*cspan_at(&passing, 2) = pace;
+*cspan_at(&passing, 2) = 1.0;
 *cspan_at(&passing, 3) = duration;
 acceleration = top_acceleration(axis);
 acceleration = span_min(acceleration, acceleration * duration / *cspan_at(&axis, 13));
@@ -19457,9 +19457,9 @@ acceleration = span_min(acceleration, acceleration * duration / *cspan_at(&axis,
 q = (int64_t)(*cspan_at(&axis, 38)) + 2;
 set_alternating(sign, 0.6 * duration / q, work);
 }
-static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, double pace, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
+static int64_t extreme_form(int64_t* result_0, double* result_1_0001, double sign, array_double_2d phases, array_double_1d problem, array_double_1d axis, array_double_2d work) {
 int64_t count, end;
-set_extreme(sign, pace, problem, axis, work);
+set_extreme(sign, problem, axis, work);
 if (!solve_sequence(problem, axis, work)) {
 (*result_0) = 0;
 (*result_1_0001) = 0.0;
@@ -19479,8 +19479,8 @@ return 0;
 }
 static bool timed_extremes(array_double_1d axis, array_double_2d cell, array_double_2d work) {
 array_double_1d problem, nearest;
-double distance, known, sign, pace, reached;
-int64_t i, found, attempt, count;
+double distance, known, sign, reached;
+int64_t i, found, count;
 array_double_2d phases;
 problem = span_row(&work, 59);
 nearest = span_row(&work, 58);
@@ -19498,19 +19498,12 @@ found = 2;
 phases = span_rows(&cell, 33, 66);
 }
 *cspan_at(&nearest, found) = 0.0;
-for (attempt = 0; attempt < 3; attempt += 1) {
-pace = 1.0 - 0.2 * attempt;
-extreme_form(&count, &reached, sign, pace, phases, problem, axis, work);
+extreme_form(&count, &reached, sign, phases, problem, axis, work);
 if ((count > 0) && (sign * reached >= sign * distance)) {
 *cspan_at(&nearest, found) = count;
 *cspan_at(&nearest, found + 1) = reached;
-break;
 }
-if ((count > 0) && (attempt == 0) && ((int64_t)(*cspan_at(&axis, 38)) < 2)) {
-return 0;
-}
-}
-if ((*cspan_at(&nearest, found) == 0.0) && (sign != known)) {
+else if ((sign != known) || ((count > 0) && ((int64_t)(*cspan_at(&axis, 38)) < 2))) {
 return 0;
 }
 }

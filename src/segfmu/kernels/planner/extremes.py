@@ -1,7 +1,6 @@
 """The least and the largest distance of motions of prescribed duration, and their mean.
 
 Both are sequences (sequence.py) whose levels alternate. All distances between them are possible.
-Where one is not found, slower ramps lead to less extreme ones.
 """
 
 from segfmu.kernels.numerics.numbers import NEVER
@@ -14,13 +13,9 @@ from segfmu.kernels.planner.tighten import tighten
 
 # levels of a start, as a share of those that alone fill the duration
 ALTERNATING = 0.6
-# attempts at the distance, each at a slower pace
-SLOWER = 0.2
 
 
-def set_extreme(
-    sign: float, pace: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
-) -> None:
+def set_extreme(sign: float, problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]') -> None:
     """Set a sequence of alternating levels over any distance, which Newton's method starts from.
 
     sign: of the first level; 1 for the largest distance.
@@ -30,7 +25,7 @@ def set_extreme(
     for i in range(Passing.SIZE):
         passing[i] = 0.0
     passing[Passing.ABOVE] = axis[Axis.ABOVE]
-    passing[Passing.PACE] = pace
+    passing[Passing.PACE] = 1.0
     passing[Passing.TIME] = duration
     acceleration = top_acceleration(axis)
     acceleration = min(acceleration, acceleration * duration / axis[Axis.FULL_RAMP])
@@ -42,15 +37,13 @@ def set_extreme(
 
 
 def extreme_form(
-    sign: float, pace: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]',
-    work: 'float[:,:]',
+    sign: float, phases: 'float[:,:]', problem: 'float[:]', axis: 'float[:]', work: 'float[:,:]'
 ) -> 'tuple[int, float]':
     """Write the profile of the problem's duration over the largest (1) or least (-1) distance.
 
-    pace: of its ramps, at most 1. Returns the number of phases, 0 if none is found, and the
-    distance [m].
+    Returns the number of phases, 0 if none is found, and the distance [m].
     """
-    set_extreme(sign, pace, problem, axis, work)
+    set_extreme(sign, problem, axis, work)
     if not solve_sequence(problem, axis, work):
         return 0, 0.0
     keep_sequence(PlanWork.SOLVED, work)
@@ -82,16 +75,11 @@ def timed_extremes(axis: 'float[:]', cell: 'float[:,:]', work: 'float[:,:]') -> 
             found = Nearest.ABOVE_COUNT
             phases = cell[Cell.ABOVE:Cell.PROBLEM, :]
         nearest[found] = 0.0
-        for attempt in range(3):
-            pace = 1.0 - SLOWER * attempt
-            count, reached = extreme_form(sign, pace, phases, problem, axis, work)
-            if count > 0 and sign * reached >= sign * distance:
-                nearest[found] = count
-                nearest[found + 1] = reached
-                break
-            # a slower one tells nothing, and levels of the snap can have several solutions
-            if count > 0 and attempt == 0 and int(axis[Axis.ABOVE]) < 2:
-                return False
-        if nearest[found] == 0.0 and sign != known:
+        count, reached = extreme_form(sign, phases, problem, axis, work)
+        if count > 0 and sign * reached >= sign * distance:
+            nearest[found] = count
+            nearest[found + 1] = reached
+        elif sign != known or (count > 0 and int(axis[Axis.ABOVE]) < 2):
+            # levels of the snap can have several solutions
             return False
     return True
