@@ -19,7 +19,7 @@ from segfmu import Limits, Trajectory, Waypoint, stop
 from segfmu.planning.polynomials import inside_from
 
 SEED = 44
-CELLS = 60
+CELLS = 90
 BASE = np.array([1.0, 1.0, 4.0, 20.0, 400.0])
 
 
@@ -66,7 +66,8 @@ def _against_ruckig(settings: Settings) -> Section:
         narrow += 1
         times = np.linspace(theirs, found.duration, 2001)
         beyond = np.array([abs(found.at_time(t)[1][0]) for t in times]) > limits[0]
-        late += ours > times[min(int(np.flatnonzero(beyond)[-1]) + 1, times.size - 1)] + 1e-9
+        inside = times[min(int(np.flatnonzero(beyond)[-1]) + 1, times.size - 1)]
+        late += bool(ours > inside + 1e-9)
     return Section("Brakes at n = 2 beside Ruckig's", [{
         "brakes": brakes, "largest difference [s]": worst,
         "end outside in Ruckig": narrow, "of these later inside": late,
